@@ -20,7 +20,7 @@ import linkwright as lw
 from linkwright.graph.program import Program
 from linkwright.kernels import Compiled
 from linkwright.kernels.jax_kernel import JaxKernel
-from linkwright.kernels.jax_reduction import Reduction
+from linkwright.kernels.jax_reduction import DeviceReduction
 
 MODEL = Path(__file__).resolve().parent.parent / "examples" / "four_bar.yaml"
 LENGTHS = "a", "b", "c", "d"
@@ -75,7 +75,7 @@ def measure(
     samples = -(-poses // POSES)
     p = lengths(compiled, samples)
     kernel = JaxKernel(compiled.graph.program(OUTPUTS))
-    reduction = Reduction(kernel, tile)
+    reduction = DeviceReduction(kernel, tile)
     start = time.perf_counter()
     reduction(x, p[:, :1])
     compiling = time.perf_counter() - start

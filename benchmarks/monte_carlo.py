@@ -24,9 +24,9 @@ from linkwright.blocks import Threads
 from linkwright.kernels import KERNELS
 from linkwright.model.document import plain
 from linkwright.results import Run
-from linkwright.studies import Site
+from linkwright.studies import RunContext
 from linkwright.studies.accuracy.figures import curves
-from linkwright.studies.accuracy.monte_carlo import Random, monte_carlo
+from linkwright.studies.accuracy.monte_carlo import SampleStatistics, monte_carlo
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.signal_sensitivities import Slopes
 from linkwright.studies.accuracy.stated_contributors import contributors
@@ -61,9 +61,9 @@ class Case:
         self.options = AccuracyOptions.model_validate(given, context=data["studies"])
         self.run = Run(self.compiled, 0.0, 0.5, POSES - 1)
 
-    def random(self, workers: int) -> Random:
+    def random(self, workers: int) -> SampleStatistics:
         """Its random samples."""
-        return monte_carlo(self.run, self.options, Site(document=self.document, runner=Threads(workers)))
+        return monte_carlo(self.run, self.options, RunContext(document=self.document, runner=Threads(workers)))
 
     def loop(self, samples: int) -> tuple[float, Mapping[str, Array]]:
         """Seconds of a loop over the first samples, and its standard deviations at each position."""
@@ -106,7 +106,7 @@ def measure(samples: int, repeats: int, kernel: str, looped: int = 2000) -> dict
     """All figures by name."""
     Case(5000, 0, kernel).random(1)  # compiles
     figures: dict[str, float] = {"samples": samples, "positions": POSES}
-    found: list[tuple[Case, Random]] = []
+    found: list[tuple[Case, SampleStatistics]] = []
     for workers in (1, 2):
         seconds = []
         for seed in range(1, repeats + 1):

@@ -17,15 +17,15 @@ import linkwright as lw
 from linkwright._machine import processors
 from linkwright.app import examine_alone
 from linkwright.blocks import Threads
-from linkwright.studies import Site
+from linkwright.studies import RunContext
 from linkwright.studies.workspace.options import SECTIONS
 from linkwright.studies.workspace.parallel import together
-from linkwright.studies.workspace.quality import Task, quality
+from linkwright.studies.workspace.quality import QualityTask, quality
 
 EXAMPLE = Path(__file__).resolve().parent.parent / "examples" / "five_bar_workspace.yaml"
 STEPS = 353
 """Eight maps of 354 x 354 poses are a million."""
-TASK = Task(speeds=(3.0, 3.0), efforts=(1.0, 1.0), force=(1.0, 2.0))
+TASK = QualityTask(speeds=(3.0, 3.0), efforts=(1.0, 1.0), force=(1.0, 2.0))
 
 
 def once(workers: int) -> tuple[float, float]:
@@ -35,7 +35,7 @@ def once(workers: int) -> tuple[float, float]:
     (task,) = examined.tasks
     alone = task.options.model_copy(update=dict.fromkeys(SECTIONS))  # the regions without what the file asks of them
     begun = time.perf_counter()
-    outcome = task.study.run(examined.compiled, alone, Site(runner=Threads(workers)))
+    outcome = task.study.run(examined.compiled, alone, RunContext(runner=Threads(workers)))
     found = time.perf_counter()
     sheets = [one.region for one in outcome.regions]
     maps, _ = together(lambda one: quality(one.sheet, one.box, TASK, STEPS, one.segments), sheets, workers)

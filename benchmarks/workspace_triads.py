@@ -21,7 +21,7 @@ import shapely
 
 sys.path.append(str(Path(__file__).resolve().parent.parent / "tests"))
 
-from linkwright.studies.workspace.mesh import Box
+from linkwright.studies.workspace.mesh import DriveBox
 from linkwright.studies.workspace.region_enclosure import enclosed
 from studies.workspace.models import ArmOnCoupler, random_arm
 from studies.workspace.test_platforms import PART, WHOLE, places_on, poses
@@ -69,7 +69,7 @@ def region_of(shape: ArmOnCoupler, seed: int) -> tuple[str, bool]:
     random = np.random.default_rng(seed)
     theta = np.linspace(0, 2 * np.pi, 400)
     middle = float(random.choice(theta[np.isfinite(shape.coupler(theta, 1.0)[1])]))
-    box = Box((middle - 0.6, -0.8), (middle + 0.6, 0.8), (False, False))
+    box = DriveBox((middle - 0.6, -0.8), (middle + 0.6, 0.8), (False, False))
     start = time.perf_counter()
     found = enclosed(places_on(shape.sheet(1.0), box), 1e-5)
     took = time.perf_counter() - start

@@ -13,7 +13,7 @@ import linkwright as lw
 from helpers.accuracies import MM, NOMINAL, stroke
 from linkwright.app import Writing, write
 from linkwright.app.job import examine_document, perform
-from linkwright.studies import Site
+from linkwright.studies import RunContext
 from studies.models import TURN, slider_crank
 
 LIMITS = {"r": 0.05, "l": [-0.02, 0.08], "e": 0.1}
@@ -28,7 +28,7 @@ def model(toleranced: bool = True, **accuracy: Any) -> lw.Document:
 
 
 def test_the_files(tmp_path: Path) -> None:
-    job = perform(examine_document(model()), Site(out=tmp_path))
+    job = perform(examine_document(model()), RunContext(out=tmp_path))
     write(job, tmp_path, Writing(["netcdf"]))
     assert {path.name for path in tmp_path.iterdir()} == {
         "linkwright-manifest.json", "report.html", "summary.json", "cycle.csv", "cycle.nc", "accuracy.csv",

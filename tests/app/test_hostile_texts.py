@@ -26,7 +26,7 @@ from linkwright.exports import TARGETS
 from linkwright.model.document import Document, dump, parse_document, read_document, save
 from linkwright.model.yaml_text import read_text
 from linkwright.model.yaml_write import write_text
-from linkwright.studies import STUDIES, Site
+from linkwright.studies import STUDIES, RunContext
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 QUICK = {
@@ -121,7 +121,7 @@ def _one_date(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize("study", STUDIES)
 def test_what_studies_write(study: str, tmp_path: Path) -> None:
     def write(file: Path, out: Path) -> None:
-        job = carry_out(examine_file(file), Site(out=out), Writing(["netcdf"], comments=True))
+        job = carry_out(examine_file(file), RunContext(out=out), Writing(["netcdf"], comments=True))
         assert study in job.outcomes
 
     harmless, hostile = both(example_of(study), tmp_path, write)

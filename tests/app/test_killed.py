@@ -22,7 +22,7 @@ import linkwright as lw
 from helpers.workspaces import arm
 from linkwright.app.job import examine_file
 from linkwright.app.manifest import NAME
-from linkwright.studies import STUDIES, Site
+from linkwright.studies import STUDIES, RunContext
 from studies.models import slider_crank
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals are POSIX's")
@@ -124,7 +124,7 @@ def test_every_study_that_keeps_what_it_has_done_is_among_them(tmp_path: Path) -
     """All others are performed, and keep nothing."""
     for name in {*STUDIES} - {study for study, _ in CASES.values()}:
         kept: list[str] = []
-        site = Site(folder=EXAMPLES, out=tmp_path, keep=lambda path, study, kept=kept: kept.append(path.name))
+        site = RunContext(folder=EXAMPLES, out=tmp_path, keep=lambda path, study, kept=kept: kept.append(path.name))
         for path in sorted(EXAMPLES.glob("*.yaml"), key=lambda path: path.stat().st_size):
             examined = examine_file(path)
             asked = [task for task in examined.tasks if task.study.name == name]

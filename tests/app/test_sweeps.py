@@ -15,7 +15,7 @@ from scipy.io import netcdf_file
 import linkwright as lw
 from linkwright.app import Writing, write
 from linkwright.app.job import examine_document, perform
-from linkwright.studies import Site, SweepOutcome
+from linkwright.studies import RunContext, SweepOutcome
 from studies.models import four_bar
 
 VARY = {"a": {"normal": 40, "sigma": 0.05}, "b": ["110 mm", 120, 250]}
@@ -34,7 +34,7 @@ def model(**sweep: Any) -> lw.Document:
 @pytest.fixture(scope="module")
 def written(tmp_path_factory: pytest.TempPathFactory) -> tuple[SweepOutcome, Path]:
     folder = tmp_path_factory.mktemp("out")
-    job = perform(examine_document(model()), Site(out=folder))
+    job = perform(examine_document(model()), RunContext(out=folder))
     assert job.sweep is not None
     write(job, folder, Writing(["netcdf"]))
     return job.sweep, folder

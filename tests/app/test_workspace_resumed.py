@@ -20,7 +20,7 @@ from linkwright.app.manifest import NAME
 from linkwright.cli import cli
 from linkwright.model.document import parse_document
 from linkwright.studies.interruption import Stopped
-from linkwright.studies.run_context import Site
+from linkwright.studies.run_context import RunContext
 from linkwright.studies.workspace.region_files import FOLDER
 
 DATE = ("SOURCE_DATE_EPOCH", "1700000000")
@@ -64,7 +64,7 @@ def interrupted(file: Path, out: Path, after: int = 2) -> Job:
         if done >= after:
             raise KeyboardInterrupt
 
-    job = carry_out(examine_file(file), Site(out=out, progress=told))
+    job = carry_out(examine_file(file), RunContext(out=out, progress=told))
     assert job.exit_code == 130
     return job
 

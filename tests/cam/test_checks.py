@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from tests.cam.lifts import HEAT_SEAL, cycloidal, harmonic, heat_seal
 
-from linkwright.cam.checks import Limits, checks, undercut
+from linkwright.cam.checks import CamLimits, checks, undercut
 from linkwright.cam.disc import Disc
 from linkwright.cam.followers import SwingingRoller, TranslatingFlat, TranslatingRoller
 from linkwright.cam.sizing import feasible, margin, resized, smallest
@@ -17,13 +17,13 @@ from linkwright.cam.sizing import feasible, margin, resized, smallest
 HEAT = Disc(SwingingRoller(39.0, 20.0, 85.0, 90.0), heat_seal, -1, HEAT_SEAL)
 
 
-def by_name(disc: Disc, limits: Limits | None = None) -> dict[str, Any]:
+def by_name(disc: Disc, limits: CamLimits | None = None) -> dict[str, Any]:
     return {check.name: check for check in checks(disc, limits)}
 
 
 def test_the_heat_seal_cam() -> None:
     """The paper compares 22.25 mm, the profile's radius, with the roller's 20; what matters is the pitch curve's."""
-    found = by_name(HEAT, Limits(pressure_rise=math.radians(45), cutter=8.0))
+    found = by_name(HEAT, CamLimits(pressure_rise=math.radians(45), cutter=8.0))
     assert found["profile_radius"].value == pytest.approx(22.2145, abs=5e-5)
     assert found["profile_radius"].margin is None
     assert (found["pitch_radius"].value, found["pitch_radius"].margin) == (
@@ -33,7 +33,7 @@ def test_the_heat_seal_cam() -> None:
     angles = [math.degrees(found[name].value) for name in ("pressure_rise", "pressure_return")]
     assert max(angles) == pytest.approx(44.325, abs=5e-4)
     assert found["pressure_rise"].kept
-    assert not by_name(HEAT, Limits(pressure_return=math.radians(44)))["pressure_return"].kept
+    assert not by_name(HEAT, CamLimits(pressure_return=math.radians(44)))["pressure_return"].kept
 
 
 def test_pressure_is_looked_for_where_the_follower_moves() -> None:
@@ -69,7 +69,7 @@ def test_a_flat_face_needs_a_convex_cam() -> None:
 
 def test_a_hollow_is_held_against_the_cutter() -> None:
     disc = Disc(TranslatingRoller(30.0, 10.0), harmonic(8.0, 15.0))
-    found = by_name(disc, Limits(cutter=70.0, groove=True))
+    found = by_name(disc, CamLimits(cutter=70.0, groove=True))
     y, a = 40.0, 8 + 60.0  # at angle 0: s = s' = 0, rho = Y^2 / (Y - s'')
     assert found["hollow_radius"].value == pytest.approx(-(y**2) / (y - a) + 10.0, rel=1e-9)
     assert not found["hollow_radius"].kept
@@ -87,7 +87,7 @@ def translating(theta: Any) -> Any:
 def test_the_smallest_base_circle(offset: float) -> None:
     """The limits hold at it and not below; without offset the pressure angle alone gives s' / (Rp + s) = tan."""
     disc = Disc(TranslatingRoller(40.0, 8.0, offset), translating, 1, (0.0, math.pi))
-    limits = Limits(pressure_rise=math.radians(15 if offset else 30), pressure_return=math.radians(60))
+    limits = CamLimits(pressure_rise=math.radians(15 if offset else 30), pressure_return=math.radians(60))
     base = smallest(disc, limits, 5.0, 200.0)
     assert base is not None
     assert base > 5.0
@@ -97,11 +97,11 @@ def test_the_smallest_base_circle(offset: float) -> None:
         t = np.linspace(0, np.pi, 200001)
         s, v = 20 * (t / np.pi - np.sin(2 * t) / (2 * np.pi)), 20 / np.pi * (1 - np.cos(2 * t))
         assert base == pytest.approx((v / math.tan(math.radians(30)) - s).max() - 8.0, rel=1e-8)
-    assert smallest(disc, Limits(pressure_rise=1e-3), 5.0, 200.0) is None
+    assert smallest(disc, CamLimits(pressure_rise=1e-3), 5.0, 200.0) is None
 
 
 def test_the_feasible_map_and_the_margin_are_one() -> None:
-    limits = Limits(pressure_rise=math.radians(40), pressure_return=math.radians(40), pitch_over_roller=2.0)
+    limits = CamLimits(pressure_rise=math.radians(40), pressure_return=math.radians(40), pitch_over_roller=2.0)
     found = feasible(HEAT, limits, ("base", 20.0, 60.0), ("distance", 60.0, 110.0), steps=2)
     assert found.margins.shape == (3, 3)
     assert found.margins[1, 1] == pytest.approx(

@@ -10,12 +10,12 @@ import pytest
 from tests.cam.cases import EVERY, NAMES
 from tests.cam.lifts import HEAT_SEAL, harmonic, heat_seal
 
-from linkwright.cam.contact import NoContact, Side
+from linkwright.cam.contact import ContactPlace, NoContact
 from linkwright.cam.disc import Disc
 from linkwright.cam.followers import SwingingRoller, TranslatingFlat, TranslatingKnife, TranslatingRoller
 from linkwright.cam.form_closure import conjugate, groove, yoke
 from linkwright.cam.hertz import rolling
-from linkwright.cam.loads import Loads, forces
+from linkwright.cam.loads import FollowerLoads, forces
 from linkwright.cam.rolling import rolled
 from linkwright.notation import Jet
 
@@ -25,7 +25,7 @@ FINE = np.linspace(0, 2 * np.pi, 20000, endpoint=False)
 
 def test_a_groove_bears_by_the_sign_of_the_acceleration() -> None:
     """Cycloidal rise and return with inertia alone: it changes in the middle of both, and from flank to flank."""
-    found = forces(HEAT, Loads(0.012), 30.0, second=groove(HEAT).second)
+    found = forces(HEAT, FollowerLoads(0.012), 30.0, second=groove(HEAT).second)
     a, b, c = HEAT_SEAL[1:]
     assert [part.side for part in found.bearing] == [1, -1, 0, -1, 1, 0]
     assert [part.start for part in found.bearing] == pytest.approx([0, a / 2, a, b, (b + c) / 2, c], abs=1e-12)
@@ -98,7 +98,7 @@ def test_lifts_of_both_contours_add_up() -> None:
 def test_forces_of_a_conjugate_pair() -> None:
     """What the second disc does is in balance with its shaft too."""
     made = conjugate(HEAT)
-    found = forces(HEAT, Loads(0.012), 30.0, second=made.second)
+    found = forces(HEAT, FollowerLoads(0.012), 30.0, second=made.second)
     look = made.disc.look(found.theta)
     profile = look.offset(-made.disc.follower.radius)
     normal = np.array([np.broadcast_to(n.d[0], found.theta.shape) for n in look.normal])
@@ -114,7 +114,7 @@ def test_rollers_on_both_discs_of_a_pair(sense: int) -> None:
     """At rest on round discs both turn against the shaft, by the ratio of the radii."""
     still = Disc(SwingingRoller(39e-3, 20e-3, 85e-3, 90e-3), lambda theta: 0.0 * theta, sense)
     second = conjugate(still, base=50e-3, roller=16e-3).second
-    spins = [rolling(side, 8.0, np.zeros(1)).spin[0] for side in (Side(still), second)]
+    spins = [rolling(side, 8.0, np.zeros(1)).spin[0] for side in (ContactPlace(still), second)]
     assert spins == pytest.approx([-sense * 8.0 * 39 / 20, -sense * 8.0 * 50 / 16])
 
 
@@ -141,7 +141,7 @@ def test_a_yoke_of_constant_breadth() -> None:
 def test_forces_in_a_yoke() -> None:
     """An eccentric disc between two faces: m s'' w^2, on the one or the other."""
     disc = Disc(TranslatingFlat(30e-3), harmonic(10e-3))
-    found = forces(disc, Loads(2.0), 10.0, second=yoke(disc).second)
+    found = forces(disc, FollowerLoads(2.0), 10.0, second=yoke(disc).second)
     assert found.contact - found.contact_second == pytest.approx(2.0 * np.cos(found.theta), abs=1e-14)
     assert found.reversals == pytest.approx([math.pi / 2, 3 * math.pi / 2])
 

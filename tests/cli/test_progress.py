@@ -9,7 +9,7 @@ from rich.console import Console
 
 from linkwright.blocks import Progress
 from linkwright.cli import progress
-from linkwright.cli.progress import Bar, duration, rate
+from linkwright.cli.progress import ProgressBar, duration, rate
 
 
 class Clock:
@@ -31,7 +31,7 @@ def clock(monkeypatch: pytest.MonkeyPatch) -> Clock:
 def drawn(clock: Clock, seconds: float, terminal: bool, shown: bool | None) -> str:
     """What a work of so many seconds leaves on the stream; it is resumed at a quarter and ends at three quarters."""
     stream = io.StringIO()
-    bar = Bar("sweep [x]", shown, Console(file=stream, force_terminal=terminal, width=120))
+    bar = ProgressBar("sweep [x]", shown, Console(file=stream, force_terminal=terminal, width=120))
     tell: Progress = bar
     with bar:
         tell(1_000_000, 4_000_000)
@@ -63,7 +63,7 @@ def test_it_says_share_rate_and_time_left(clock: Clock) -> None:
 def test_few_pieces_are_counted(clock: Clock) -> None:
     """After a work of many poses, for one bar: neither its poses nor its time count."""
     stream = io.StringIO()
-    with Bar("run", True, Console(file=stream, force_terminal=True, width=120)) as bar:
+    with ProgressBar("run", True, Console(file=stream, force_terminal=True, width=120)) as bar:
         bar(0, 10**6)
         clock.now += 50.0
         bar(10**6, 10**6)

@@ -26,7 +26,7 @@ from linkwright.presentation.blocks import (
     Slider,
     Table,
 )
-from linkwright.presentation.cells import Number, Verdict
+from linkwright.presentation.cells import NumberCell, Verdict
 
 HOSTILE = "[red]x[/red]\x1b[2J"
 SEEN = "[red]x[/red]\\x1b[2J"
@@ -78,9 +78,9 @@ def test_a_table_has_its_title_heads_and_rows(shown: Printed) -> None:
 def test_numbers_are_set_right(shown: Printed) -> None:
     """What has its unit beside it, or a word among numbers, is set left."""
     rows = [
-        ["a", Number(1.5), Number(2.0, unit="mm"), Number(1.0)],
-        ["a long name", Number(-12345.678), Number(30.25, unit="mm"), "none"],
-        ["b", Number(None), Number(None, unit="mm"), Number(100.0)],
+        ["a", NumberCell(1.5), NumberCell(2.0, unit="mm"), NumberCell(1.0)],
+        ["a long name", NumberCell(-12345.678), NumberCell(30.25, unit="mm"), "none"],
+        ["b", NumberCell(None), NumberCell(None, unit="mm"), NumberCell(100.0)],
     ]
     _, head, *lines, _ = shown(Table("one", "Title", ["name", "value", "at", "mixed"], rows))
     ends = {place(line, text)[1] for line, text in zip([head, *lines], ["value", "1.5", "-12345.68"], strict=False)}
@@ -180,7 +180,7 @@ def test_the_heading_is_for_pages(shown: Printed) -> None:
     [
         (Sentences([HOSTILE]), 1),
         (Bullets([HOSTILE]), 1),
-        (Table("one", HOSTILE, [HOSTILE], [[HOSTILE], [Number(1.0, unit=HOSTILE)]]), 4),
+        (Table("one", HOSTILE, [HOSTILE], [[HOSTILE], [NumberCell(1.0, unit=HOSTILE)]]), 4),
         (
             Cards(
                 "s", (HOSTILE, "b", "c"), [Card("", HOSTILE, never, [HOSTILE], ""), Card("", "", never, [], HOSTILE)]

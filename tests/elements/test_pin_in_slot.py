@@ -12,7 +12,7 @@ import linkwright as lw
 from elements.slots import SLOTS, SPEED, START, D, R, lever, oracle
 from helpers.compiled import compiled_from
 from helpers.kernels import every
-from linkwright.elements.pin_in_slot import Spline
+from linkwright.elements.pin_in_slot import SplineSlot
 from linkwright.kernels import KERNELS
 from linkwright.measures import measure_all
 from linkwright.model.document import Document, dump, read_document
@@ -103,9 +103,9 @@ def test_the_certificate_holds_and_sees_a_wrong_sign(slot: str, monkeypatch: pyt
 
 
 def test_the_certificate_sees_a_slot_that_lies_elsewhere(monkeypatch: pytest.MonkeyPatch) -> None:
-    from linkwright.elements.pin_in_slot import Straight
+    from linkwright.elements.pin_in_slot import StraightSlot
 
-    monkeypatch.setattr(Straight, "gap", lambda self, x, y: y - 1e-6)
+    monkeypatch.setattr(StraightSlot, "gap", lambda self, x, y: y - 1e-6)
     assert certify(Run(compiled_from(lever("straight")), 0.0, 1.0, 20)).closure > 1e-6
 
 
@@ -159,7 +159,7 @@ def test_runs_and_measures_know_where_the_jerk_jumps() -> None:
 
 
 def test_a_spline_is_natural_and_goes_on_straight() -> None:
-    spline = Spline.through([(0.0, 0.0), (1.0, 1.0), (3.0, 0.0), (4.0, 2.0)])
+    spline = SplineSlot.through([(0.0, 0.0), (1.0, 1.0), (3.0, 0.0), (4.0, 2.0)])
     x = np.linspace(-1.0, 5.0, 601)
     jet = spline.height(Jet([x, np.ones_like(x), np.zeros_like(x), np.zeros_like(x)]))
     for k in (0, 1):  # continuous up to the second derivative

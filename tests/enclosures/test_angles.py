@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from linkwright.enclosures.angles import Polynomials, Stretches, stretches, turned
-from linkwright.enclosures.forms import Form
+from linkwright.enclosures.forms import AffineForm
 from linkwright.notation.harmonics import ANGLES, basis, zeros
 
 Array = NDArray[np.float64]
@@ -19,10 +19,10 @@ COUNT = 60
 def told(value: Array, u: Array, v: Array) -> Stretches:
     """The stretches of polynomials of coefficients (7, n) that depend on u and v."""
 
-    def at(phi: Array, of: slice | Array, order: int) -> Form:
+    def at(phi: Array, of: slice | Array, order: int) -> AffineForm:
         row = basis(phi, order) if np.ndim(phi) else basis(np.array([phi]), order)
         parts = [(row * part[:, of]).sum(axis=0) for part in (value, u, v)]
-        return Form(*parts, np.full(parts[0].size, 1e-15))
+        return AffineForm(*parts, np.full(parts[0].size, 1e-15))
 
     values = [at(phi, slice(None), 0) for phi in ANGLES]
     return stretches(Polynomials(values, lambda of, phi: [at(phi, of, order) for order in (0, 1)]))
@@ -64,8 +64,8 @@ def test_small_cells_tell_nearly_all() -> None:
 def test_what_has_no_bound_tells_nothing() -> None:
     none = np.zeros((7, 1))
     value = np.array([[1.0], [0.5], [0], [0], [0], [0], [0]])
-    values = [Form((basis(np.array([phi])) * value).sum(axis=0), rest=np.array([np.inf])) for phi in ANGLES]
-    found = stretches(Polynomials(values, lambda of, phi: [Form(np.zeros(of.size), rest=np.inf)] * 2))
+    values = [AffineForm((basis(np.array([phi])) * value).sum(axis=0), rest=np.array([np.inf])) for phi in ANGLES]
+    found = stretches(Polynomials(values, lambda of, phi: [AffineForm(np.zeros(of.size), rest=np.inf)] * 2))
     assert found.of.tolist() == [0] and found.most.tolist() == [0] and found.half[0] >= np.pi - 1e-9
     assert told(value, none, none).of.size == 0  # 1 + cos(phi) / 2 has no zero
 
@@ -73,7 +73,9 @@ def test_what_has_no_bound_tells_nothing() -> None:
 @pytest.mark.parametrize("size", [1e-3, 0.3, 2.0])
 def test_cosine_and_sine_of_angles_that_depend_on_the_place(size: float) -> None:
     phi, rng = np.array([-2.0, 0.1, 3.0]), np.random.default_rng(0)
-    away = Form(0.1 * size * np.ones(3), 0.3 * size * np.ones(3), -0.2 * size * np.ones(3), 0.1 * size * np.ones(3))
+    away = AffineForm(
+        0.1 * size * np.ones(3), 0.3 * size * np.ones(3), -0.2 * size * np.ones(3), 0.1 * size * np.ones(3)
+    )
     c, s = turned(phi, away)
     for u, v, w in rng.uniform(-1, 1, (200, 3)):
         angle = phi + away.value + u * away.u + v * away.v + w * away.rest

@@ -14,7 +14,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from linkwright.enclosures.forms import Form
+from linkwright.enclosures.forms import AffineForm
 from linkwright.enclosures.program import BOXES, Stage
 from linkwright.graph.program import ExpressionStage
 
@@ -33,8 +33,8 @@ class Line:
     u: float
     v: float
 
-    def form(self) -> Form:
-        return Form(np.array([self.value]), np.array([self.u]), np.array([self.v]), np.array([0.0]))
+    def form(self) -> AffineForm:
+        return AffineForm(np.array([self.value]), np.array([self.u]), np.array([self.v]), np.array([0.0]))
 
     def at(self, u: Any, v: Any, number: Callable[[float], Any]) -> Any:
         return number(self.value) + number(self.u) * u + number(self.v) * v
@@ -46,8 +46,8 @@ class Fixed:
 
     value: float
 
-    def form(self) -> Form:
-        return Form(self.value)
+    def form(self) -> AffineForm:
+        return AffineForm(self.value)
 
     def at(self, u: Any, v: Any, number: Callable[[float], Any]) -> Any:
         return number(self.value)
@@ -57,11 +57,11 @@ class Fixed:
 class Made:
     """An operation on one or two expressions."""
 
-    on_forms: Callable[..., Form]
+    on_forms: Callable[..., AffineForm]
     on_numbers: Callable[..., Any]
     of: tuple[Any, ...]
 
-    def form(self) -> Form:
+    def form(self) -> AffineForm:
         with np.errstate(all="ignore"):
             return self.on_forms(*(one.form() for one in self.of))
 
@@ -77,20 +77,22 @@ LINES = st.builds(Line, NUMBERS, NUMBERS, NUMBERS)
 LEAVES = st.one_of(LINES, st.builds(Fixed, NUMBERS))
 SMOOTH = [
     lambda some: st.builds(both, some, some, st.sampled_from([operator.add, operator.sub, operator.mul])),
-    lambda some: some.map(lambda a: Made(Form.square, lambda x: x * x, (a,))),
+    lambda some: some.map(lambda a: Made(AffineForm.square, lambda x: x * x, (a,))),
     lambda some: some.map(lambda a: Made(operator.neg, operator.neg, (a,))),
-    lambda some: some.map(lambda a: Made(Form.magnitude, abs, (a,))),
+    lambda some: some.map(lambda a: Made(AffineForm.magnitude, abs, (a,))),
     lambda some: st.builds(both, some, some, st.just(operator.truediv)),
 ]
 EXACT = st.recursive(LEAVES, lambda some: st.one_of(*(make(some) for make in SMOOTH)), max_leaves=8)
 ROOTS = st.recursive(
     LEAVES,
-    lambda some: st.one_of(*(make(some) for make in SMOOTH), some.map(lambda a: Made(Form.sqrt, mpmath.sqrt, (a,)))),
+    lambda some: st.one_of(
+        *(make(some) for make in SMOOTH), some.map(lambda a: Made(AffineForm.sqrt, mpmath.sqrt, (a,)))
+    ),
     max_leaves=8,
 )
 
 
-def holds(form: Form, true: Any, u: Any, v: Any, number: Callable[[float], Any]) -> bool:
+def holds(form: AffineForm, true: Any, u: Any, v: Any, number: Callable[[float], Any]) -> bool:
     """Whether a true value lies in a form's plane, in exact arithmetic."""
     value, slope, other, rest = (float(np.ravel(x)[0]) for x in (form.value, form.u, form.v, form.rest))
     if rest == np.inf or not np.isfinite([value, slope, other, rest]).all():
@@ -136,12 +138,12 @@ def real(made: Any, u: Any, v: Any) -> bool:
     return isinstance(here, mpmath.mpf) and all(real(one, u, v) for one in made.of)
 
 
-def line(value: float, u: float, v: float = 0.0) -> Form:
+def line(value: float, u: float, v: float = 0.0) -> AffineForm:
     return Line(value, u, v).form()
 
 
 def test_a_linear_form_keeps_its_slopes() -> None:
-    made = (line(1, 2, 3) + line(4, -1, 0.5)) * Form(2.0) - line(0, 1, 1)
+    made = (line(1, 2, 3) + line(4, -1, 0.5)) * AffineForm(2.0) - line(0, 1, 1)
     assert (made.value[0], made.u[0], made.v[0]) == (10, 1, 6)
     assert made.rest[0] < 1e-12
 
@@ -200,7 +202,7 @@ def test_a_magnitude_of_one_sign_is_exact() -> None:
 
 
 def test_numbers_are_constant_and_known_to_a_few_roundings() -> None:
-    made = Form(3.0) * Form(0.1) + Form(2.0) / Form(7.0)
+    made = AffineForm(3.0) * AffineForm(0.1) + AffineForm(2.0) / AffineForm(7.0)
     assert made.constant
     assert abs(made.value - (0.3 + 2 / 7)) <= made.rest < 1e-14
     assert not line(1, 1).constant
@@ -209,7 +211,7 @@ def test_numbers_are_constant_and_known_to_a_few_roundings() -> None:
 def test_a_batch_is_done_all_at_once() -> None:
     """Each as by itself, those without bound among them."""
     value, slope = np.array([2.0, 0.5, -3.0, 0.0]), np.array([1.0, 1.0, 1.0, 0.0])
-    many = Form(value, slope, 0 * slope, 0 * slope).inverse()
+    many = AffineForm(value, slope, 0 * slope, 0 * slope).inverse()
     for k in range(value.size):
         one = line(value[k], slope[k]).inverse()
         assert [x[k] for x in (many.value, many.u, many.rest)] == [x[0] for x in (one.value, one.u, one.rest)]
@@ -225,8 +227,8 @@ def test_a_program_runs_on_boxes() -> None:
     stage = Stage(ExpressionStage.from_rows(x, p, [ca.vertcat(*rows)]), np.array([0.3]), [0, 1], BOXES)
     centre, half = (1.0, 2.0), 0.25
     boxes = [
-        Form(np.array([centre[0]]), np.array([half]), np.zeros(1)),
-        Form(np.array([centre[1]]), np.zeros(1), np.array([half])),
+        AffineForm(np.array([centre[0]]), np.array([half]), np.zeros(1)),
+        AffineForm(np.array([centre[1]]), np.zeros(1), np.array([half])),
     ]
     first, second = stage(boxes.__getitem__)
     for u, v in SPOTS:

@@ -16,7 +16,7 @@ from linkwright.expressions.fields import Expression, Frozen, Name
 from linkwright.expressions.typed_fields import ELSEWHERE, Context, Quantity, Ref, Sign
 from linkwright.model.document import Document
 from linkwright.model.mechanism import Mechanism
-from linkwright.model.walk import Place, _fields, _Spec, references, sites
+from linkwright.model.walk import ExpressionPlace, _fields, _Spec, references, sites
 from linkwright.studies import STUDIES
 from model.given import four_bar
 
@@ -79,12 +79,12 @@ def test_the_walk_goes_in_the_order_of_fields() -> None:
     at = Context(Mechanism.model_validate({"links": {"frame": {"points": {"A": [0, 0]}}}}), ("parts", "p"))
     places = [place for site in sites(part, at) for place in site.places()]
     assert places == [
-        Place(("parts", "p", "mass"), Expression(1), u.MASS),
-        Place(("parts", "p", "spans", "a"), Expression(1), u.LENGTH),
-        Place(("parts", "p", "spans", "a"), Expression(2), u.LENGTH),
-        Place(("parts", "p", "turned"), Expression(5), u.ANGLE),
-        Place(("parts", "p", "numbers", 0), Expression(3), u.PURE),
-        Place(("parts", "p", "numbers", 1), Expression(4), u.PURE),
+        ExpressionPlace(("parts", "p", "mass"), Expression(1), u.MASS),
+        ExpressionPlace(("parts", "p", "spans", "a"), Expression(1), u.LENGTH),
+        ExpressionPlace(("parts", "p", "spans", "a"), Expression(2), u.LENGTH),
+        ExpressionPlace(("parts", "p", "turned"), Expression(5), u.ANGLE),
+        ExpressionPlace(("parts", "p", "numbers", 0), Expression(3), u.PURE),
+        ExpressionPlace(("parts", "p", "numbers", 1), Expression(4), u.PURE),
     ]
     assert [(found.name, found.ref) for found in references(part, at)] == [("crank", Ref("link"))]
 

@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 from scipy.optimize import brentq
 
 import linkwright as lw
-from graph.test_clusters import CASES
+from graph.test_higher_groups import CASES
 from helpers.examples import UNITS, four_bar, slider_crank
-from linkwright.graph.constraints import Constraints, Ride
+from linkwright.graph.constraints import Constraints, FollowerRelation
 from linkwright.graph.geometry import Geometry
 from linkwright.model.document import Document
 from linkwright.model.quantities import Quantities
@@ -221,7 +221,7 @@ def test_slopes_agree_with_differences_where_followers_ride() -> None:
     document = Document.model_validate(data)
     quantities = Quantities(document)
     system = Constraints(decompose(document).topology, Geometry(quantities, quantities.parameters), 1.7)
-    system.hold({}, {"ram": Ride("motor", lambda q: (math.sin(2 * q), 2 * math.cos(2 * q)), 0.1)})
+    system.hold({}, {"ram": FollowerRelation("motor", lambda q: (math.sin(2 * q), 2 * math.cos(2 * q)), 0.1)})
     z, h = np.random.default_rng(3).uniform(-1, 1, system.width), 1e-6
     columns = [(system.residual(z + step) - system.residual(z - step)) / (2 * h) for step in h * np.eye(system.width)]
     assert np.abs(system.jacobian(z) - np.array(columns).T).max() < 1e-8

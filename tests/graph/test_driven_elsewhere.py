@@ -40,7 +40,7 @@ def stated(plain: Plain) -> Plain:
     structure = decompose(Document.model_validate(document_of(plain)))
     assume(not structure.findings)
     dyads = [group.links[0] for group in structure.groups if group.modes > 1]
-    return sketched(plain, [*dyads, *(link for cluster in structure.clusters for link in cluster.links)])
+    return sketched(plain, [*dyads, *(link for higher_group in structure.higher_groups for link in higher_group.links)])
 
 
 @pytest.mark.parametrize("chain", CHAINS)

@@ -48,7 +48,7 @@ def test_motion_and_forces(kind: str, seed: int, held: tuple[str, str]) -> None:
     assert not structure.findings
     (group,) = structure.groups
     assert group.signature in (kind, kind[::-1])
-    assert not structure.clusters
+    assert not structure.higher_groups
     plain = sketched(plain, [group.links[0]] if group.modes > 1 else [])
     oracle, states = regular_states(plain, T)
     compiled = compiled_of(plain)

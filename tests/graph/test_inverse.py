@@ -18,11 +18,11 @@ from helpers.compiled import compiled_from
 from helpers.examples import UNITS
 from helpers.reach import Chain, FiveBar, Guide, TwoCylinders, TwoSlides
 from helpers.reach.mechanisms import Mechanism
-from linkwright.graph.inverse import Closure, DriveValue, carried, inverse
+from linkwright.graph.inverse import DeterminantRow, DriveValue, carried, inverse
 from linkwright.graph.rows import Determinant, Radicand
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.structure import decompose
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.sheet import ModeSheet
 from studies.workspace.models import triad_turned_round
 
 Array = NDArray[np.float64]
@@ -101,7 +101,7 @@ def held(compiled: Compiled, point: str, q: Array) -> int:
     labels = [group.label for group in graph.branched]
     first, second = graph.drives
     for signs in product((-1.0, 1.0), repeat=len(labels)):
-        sheet = Sheet(compiled, point, (first, second), signs)
+        sheet = ModeSheet(compiled, point, (first, second), signs)
         at, reach = sheet.place(q)
         # Near a meeting of branches round-off grows by its root.
         here = sheet.look(q)
@@ -111,7 +111,7 @@ def held(compiled: Compiled, point: str, q: Array) -> int:
         for label in labels:
             program = graph.program([Determinant(label)])
             forward = KERNELS["numpy"](program).run(sheet.inputs(q[:, good]), compiled.parameters)[0]
-            same &= rows[Closure(label)] * forward > 0
+            same &= rows[DeterminantRow(label)] * forward > 0
         for what, row in rows.items():
             same &= (row > 0) | (not isinstance(what, Radicand))
         assert (same.sum(axis=0) == 1).all()
@@ -163,7 +163,7 @@ def test_slopes_are_the_derivatives() -> None:
     compiled, q = compiled_case("five-bar")
     found = inverse(compiled.graph, "P")
     assert found is not None
-    at = Sheet(compiled, "P", ("motor", "servo"), (1.0,)).place(q[:, :5])[0]
+    at = ModeSheet(compiled, "P", ("motor", "servo"), (1.0,)).place(q[:, :5])[0]
     x = np.concatenate([at, np.full((len(found.groups), at.shape[1]), 1.0)])
     rows, slopes = (KERNELS["numpy"](one) for one in (found.program, found.slopes))
     step = 1e-7
@@ -182,9 +182,9 @@ def test_slopes_are_the_derivatives() -> None:
 def test_what_turns_into_a_higher_group_has_no_inverse() -> None:
     """Forward there are dyads alone; with the point held none is left."""
     compiled = compiled_from(triad_turned_round())
-    assert not compiled.structure.clusters
+    assert not compiled.structure.higher_groups
     turned = decompose(carried(compiled.mechanism, "P"))
-    assert not turned.findings and turned.clusters
+    assert not turned.findings and turned.higher_groups
     assert inverse(compiled.graph, "P") is None
     assert inverse(compiled.graph, "C") is not None
 
@@ -210,7 +210,7 @@ def platform() -> dict[str, Any]:
 
 def test_what_closes_as_a_higher_group_has_no_inverse() -> None:
     compiled = compiled_from(platform())
-    assert compiled.structure.clusters
+    assert compiled.structure.higher_groups
     assert inverse(compiled.graph, "P") is None
 
 

@@ -11,7 +11,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 import linkwright as lw
-from graph.test_clusters import CASES
+from graph.test_higher_groups import CASES
 from helpers.compiled import compiled_from, compiled_of, regular
 from helpers.examples import four_bar, slider_crank
 from helpers.plain import Plain, document_of

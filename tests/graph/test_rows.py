@@ -17,7 +17,7 @@ from linkwright.graph.rows import (
     OutputLever,
     Radicand,
     RawAngle,
-    Reach,
+    ReachRow,
     Row,
     SignalRow,
     Slope,
@@ -31,7 +31,7 @@ from linkwright.graph.rows import (
 )
 
 LABELS: dict[Row, str] = {
-    Reach("a-b"): "reach:a-b",
+    ReachRow("a-b"): "reach:a-b",
     Span("a-b"): "span:a-b",
     Radicand("a-b"): "room:a-b",
     Determinant("a-b"): "determinant:a-b",
@@ -54,21 +54,21 @@ def test_labels() -> None:
 
 def test_rows_of_different_kinds_differ() -> None:
     assert len({*LABELS}) == len(LABELS)
-    assert Reach("a-b") != Span("a-b")
-    assert Reach("a-b") == Reach("a-b")
+    assert ReachRow("a-b") != Span("a-b")
+    assert ReachRow("a-b") == ReachRow("a-b")
 
 
 def test_a_program_takes_signals_by_name_and_other_rows() -> None:
     compiled = compiled_from(four_bar())
     graph = compiled.graph
     (group,) = compiled.structure.groups
-    program = graph.program(["C.x", Reach(group.label)], rates=True)
+    program = graph.program(["C.x", ReachRow(group.label)], rates=True)
     assert program.outputs == ("C.x", "d(C.x)", f"reach:{group.label}", f"d(reach:{group.label})")
     signal = SignalRow(graph.signal("C.x"))
     assert signal.label == "C.x"
     t = np.linspace(0.0, 1.0, 7)
     assert np.array_equal(compiled.evaluate([signal], t), compiled.evaluate(["C.x"], t))
-    assert graph.signals(["C.x", Reach(group.label)]) == [signal.signal, None]
+    assert graph.signals(["C.x", ReachRow(group.label)]) == [signal.signal, None]
 
 
 @pytest.mark.parametrize("text", ["reach:coupler-rocker", "crank:x", "raw/crank", "loads/push", "nothing.x", "crank"])

@@ -15,7 +15,7 @@ import linkwright as lw
 from linkwright.graph.legs import triad
 from linkwright.graph.modes import Explorer
 from linkwright.graph.motion import Motion
-from linkwright.graph.triads import System, trigonometric_roots
+from linkwright.graph.triads import TriadSystem, trigonometric_roots
 from linkwright.model.document import Document
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Body
@@ -116,10 +116,10 @@ def test_harmonics_above_the_third_vanish(kinds: tuple[str, ...]) -> None:
     quantities, structure = Quantities(document), decompose(document)
     motion = Motion(structure, Explorer(quantities, structure, {}).geometry, 0)
     motion.bodies["frame"] = Body.fixed(0)
-    shape = triad(motion, structure.clusters[0], {})
+    shape = triad(motion, structure.higher_groups[0], {})
     assert shape is not None
     assert sorted("".join("PR"[turns] for turns in leg.turning) for leg in shape.legs) == sorted(kinds)
-    system = System(motion, shape)
+    system = TriadSystem(motion, shape)
     angles, harmonics = trigonometric_roots(system.sampled)
     assert harmonics[4:].max() < 1e-13
     values = system.sampled(np.linspace(-3.1, 2 * math.pi - 3.1, 20_000))

@@ -15,14 +15,14 @@ from linkwright.studies.accuracy.contributors import Contributor, Contributors
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.outcome import (
     AccuracyOutcome,
-    Curve,
-    Figure,
     JointPlay,
     MonteCarlo,
+    OutputDeviations,
     PlayEffect,
-    Searched,
+    SearchedWorstCase,
+    SignalDeviations,
 )
-from linkwright.studies.figures import Column
+from linkwright.studies.figures import FigureColumn
 from studies.models import TURN, slider_crank
 
 Array = NDArray[np.float64]
@@ -80,13 +80,15 @@ def linear(slopes: Array, who: Contributors) -> dict[str, Any]:
     }
 
 
-def figure(column: Column, values: Array, who: Contributors, sampled: Array | None, **more: Any) -> Figure:
+def figure(
+    column: FigureColumn, values: Array, who: Contributors, sampled: Array | None, **more: Any
+) -> OutputDeviations:
     """A figure from its value and derivatives (4,) and those of samples."""
     slopes = values[1:]
     made = linear(slopes, who)
     shares = slopes * (who.covariance @ slopes) / made["sigma"] ** 2
     found = None if sampled is None else monte_carlo(sampled)
-    return Figure(
+    return OutputDeviations(
         column,
         float(values[0]),
         more.pop("time", None),
@@ -137,17 +139,17 @@ def outcome(count: int = 2000, failed: int = 0, name: str = "C.x", stretch: floa
     made = linear(values[1:], who)
     widest = int(np.argmax(made["worst"][1] - made["worst"][0]))
 
-    def at(pose: int, label: str) -> Figure:
-        column = Column(label, "", LENGTH, "mm", MM)
+    def at(pose: int, label: str) -> OutputDeviations:
+        column = FigureColumn(label, "", LENGTH, "mm", MM)
         drawn = sampled[:, pose] + values[0, pose] if count else None
         return figure(column, values[:, pose], who, drawn, time=float(run.t[pose]))
 
-    column = Column("stroke", "", LENGTH, "mm", MM)
+    column = FigureColumn("stroke", "", LENGTH, "mm", MM)
     play = PlayEffect(12e-6, 40e-6, {"B": 12e-6}, {"B": 40e-6})
-    searched = Searched(-0.2 * MM, 0.25 * MM, who.low, who.high, 0.07, proven=False)
+    searched = SearchedWorstCase(-0.2 * MM, 0.25 * MM, who.low, who.high, 0.07, proven=False)
     exact = stroke(*NOMINAL.values())
     drawn = stroke(*given)[0] if count else None
-    curve = Curve(
+    curve = SignalDeviations(
         name,
         LENGTH,
         "mm",

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from helpers.plain import Plain, document_of
 from linkwright.compilation import compile_mechanism
-from linkwright.graph.rows import Determinant, Reach
+from linkwright.graph.rows import Determinant, ReachRow
 from linkwright.kernels import Compiled
 from linkwright.model.document import Document
 
@@ -32,7 +32,7 @@ def conditioning(compiled: Compiled, t: Array) -> tuple[float, float]:
     groups = compiled.structure.groups
     if not groups:
         return 1.0, 1.0
-    names = [row(group.label) for row in (Determinant, Reach) for group in groups]
+    names = [row(group.label) for row in (Determinant, ReachRow) for group in groups]
     rows = np.nan_to_num(compiled.evaluate(names, t), nan=-1.0)
     return float(np.abs(rows[: len(groups)]).min()), float(rows[len(groups) :].min())
 

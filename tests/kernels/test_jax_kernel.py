@@ -19,7 +19,7 @@ from linkwright.compilation import compile_mechanism
 from linkwright.findings import ModelError
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.jax_kernel import JaxKernel
-from linkwright.kernels.jax_reduction import Reduction
+from linkwright.kernels.jax_reduction import DeviceReduction
 from linkwright.model.document import load
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -43,8 +43,8 @@ def lengths(samples: int, spread: float = 0.02) -> np.ndarray:
 
 
 @cache
-def reduction() -> Reduction:
-    return Reduction(varied()[1])
+def reduction() -> DeviceReduction:
+    return DeviceReduction(varied()[1])
 
 
 @needs_jax

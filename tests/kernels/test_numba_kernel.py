@@ -15,7 +15,7 @@ from linkwright.compilation import compile_mechanism
 from linkwright.graph.program import ExpressionStage, Program
 from linkwright.kernels import Compiled
 from linkwright.kernels.numba_kernel import PAST, NumbaKernel
-from linkwright.kernels.numba_source import CACHED, LANES, LONGEST, Source
+from linkwright.kernels.numba_source import CACHED, LANES, LONGEST, KernelSource
 from linkwright.kernels.numpy_blocks import NumpyKernel
 from linkwright.kernels.threaded import EVEN, FEWEST, spread, stretches
 from linkwright.model.document import load
@@ -143,7 +143,7 @@ def test_long_programs_are_split() -> None:
     """Functions of at most some 500 instructions, whose values pass over rows that are used again."""
     compiled = compiled_from(chain(4))
     program = compiled.graph.program(["motor.torque", "F2.x", "arm2.alpha"])
-    source = Source.fitting(program, "apart")
+    source = KernelSource.fitting(program, "apart")
     assert source.lanes < LANES[0]
     assert source.rows.count * source.lanes <= CACHED
     text = str(source)
@@ -158,7 +158,7 @@ def test_long_programs_are_split() -> None:
 def solving(name: str) -> tuple[Compiled, Program, list[int], np.ndarray]:
     """An example with a group beyond the dyads, the program that solves it, its rows, inputs solved already."""
     compiled = compile_mechanism(load(EXAMPLES / f"{name}.yaml"))
-    program = compiled.graph.solving(compiled.structure.clusters[0])
+    program = compiled.graph.solving(compiled.structure.higher_groups[0])
     rows = list(program.solves[0].rows)
     return compiled, program, rows, compiled.inputs(np.linspace(0.0, 0.7, 300))
 

@@ -15,7 +15,7 @@ from helpers.examples import feeder, four_bar, heavy_four_bar
 from helpers.kernels import every, examples
 from helpers.random_mechanisms import DURATION, mechanisms
 from linkwright.compilation import compile_mechanism
-from linkwright.graph.rows import Determinant, Named, Reach, Strength, WindowRow
+from linkwright.graph.rows import Determinant, Named, ReachRow, Strength, WindowRow
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.numpy_blocks import BLOCK
 from linkwright.kernels.registry import register
@@ -27,7 +27,7 @@ T = np.linspace(0.0, DURATION, 5)
 def all_names(compiled: Compiled) -> list[Named]:
     names: list[Named] = [signal.text for signal in compiled.quantities.signals.all() if signal.attribute != "arm"]
     for group in compiled.structure.groups:
-        names += [Determinant(group.label), Reach(group.label)]
+        names += [Determinant(group.label), ReachRow(group.label)]
     return names
 
 
@@ -140,7 +140,7 @@ def test_one_kernel_serves_other_parameters(kernel: str) -> None:
 def test_a_pose_that_cannot_close_is_nan_alone(kernel: str) -> None:
     """A rocker too short to be reached: NaN there and a negative reach, no warning, other poses untouched."""
     compiled = compiled_from(four_bar(2, 3, 1.2, 4))
-    names = ["C.x", "rocker.omega", Reach("coupler-rocker"), "B.x"]
+    names = ["C.x", "rocker.omega", ReachRow("coupler-rocker"), "B.x"]
     t = np.linspace(0.0, 2 * np.pi, 200)
     with warnings.catch_warnings():
         warnings.simplefilter("error")

@@ -19,7 +19,7 @@ from linkwright.findings import ModelError
 from linkwright.kernels import KERNELS, Compiled, continuation_batch, continuation_paths, parameter_batch
 from linkwright.kernels.change_points import Passage, Passages
 from linkwright.kernels.continuation_batch import Pursued, Pursuit
-from linkwright.kernels.continuation_paths import Paths
+from linkwright.kernels.continuation_paths import SamplePaths
 from linkwright.kernels.parameter_batch import Varied
 from linkwright.model.document import Document, load, parse_document, plain, replaced
 
@@ -225,13 +225,13 @@ CLUSTERS = [
 
 
 @pytest.mark.parametrize(("made", "signals", "share"), CLUSTERS)
-def test_clusters_followed_a_full_turn(made: Callable[[], Document], signals: list[str], share: float) -> None:
+def test_higher_groups_followed_a_full_turn(made: Callable[[], Document], signals: list[str], share: float) -> None:
     """Each sample alone is assembled from the sketch and followed by the path of the single mechanism."""
     assert_same(made(), dict.fromkeys("rpqw", "m"), signals, np.linspace(0, 1, 61), share=share, tolerance=1e-9)
 
 
 @pytest.mark.parametrize("poses", [20, 61])
-def test_clusters_do_not_jump(poses: int) -> None:
+def test_higher_groups_do_not_jump(poses: int) -> None:
     """Over wide ranges some samples meet singular poses: each follows the path of the single mechanism, to its end."""
     made, signals = platform(), ["plate.angle", "B3.x"]
     units, t = dict.fromkeys("rpqw", "m"), np.linspace(0, 1, poses)
@@ -273,7 +273,7 @@ def test_a_singular_pose_is_not_stepped_over() -> None:
 def without_paths(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """Every sample is followed from pose to pose, from its start on."""
     with monkeypatch.context() as patch:
-        patch.setattr(Paths, "extend", lambda self, to: None)
+        patch.setattr(SamplePaths, "extend", lambda self, to: None)
         yield
 
 
@@ -366,7 +366,7 @@ def test_paths_are_laid_once(monkeypatch: pytest.MonkeyPatch) -> None:
     found = made.evaluate(["B3.x"], p, t)
     bad = np.isnan(found[0]).any(axis=1)
     with monkeypatch.context() as patch:
-        patch.setattr(Paths, "_advance", lambda *_: pytest.fail("a path is laid"))
+        patch.setattr(SamplePaths, "_advance", lambda *_: pytest.fail("a path is laid"))
         patch.setattr(Pursued, "_started", lambda *_: pytest.fail("samples are started"))
         assert np.isfinite(made.failures(p[:, bad], t).time).all()
         some = np.array([3, 1, 3, 20])
@@ -470,7 +470,7 @@ def test_samples_that_cannot_be_assembled_are_told() -> None:
     assert "3 of 5 samples" in str(finding)
 
 
-def test_clusters_that_cannot_be_followed_are_told() -> None:
+def test_higher_groups_that_cannot_be_followed_are_told() -> None:
     varied = Varied(compile_mechanism(platform()), ["r"])
     values = np.array([[0.02, 0.06]])
     failures = varied.failures(varied.parameters(values), np.linspace(0, 1, 30))

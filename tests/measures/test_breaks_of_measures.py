@@ -14,7 +14,7 @@ import linkwright as lw
 from linkwright.measures import Measurer, enclose, misfit
 from linkwright.measures.places import _to_nearest
 from linkwright.measures.probe import Probe
-from linkwright.reductions import Kind, Peak
+from linkwright.reductions import Peak, ProofKind
 from linkwright.reductions.mean import Mean, Rms
 from studies.models import TURN, UNITS, cycle_of, four_bar, job_of, measured, slider_crank, value
 
@@ -204,7 +204,7 @@ def test_smooth_measures_are_enclosed_and_means_searched() -> None:
         slider_crank(), a={"extremes": "motor.torque"}, b={"mean": "motor.torque"}, c={"value": "B.x", "where": "start"}
     )
     kinds = {name: result.found[0].grade.kind for name, result in found.items()}
-    assert kinds == {"a": Kind.ENCLOSED, "b": Kind.SEARCHED, "c": Kind.SAMPLED}
+    assert kinds == {"a": ProofKind.ENCLOSED, "b": ProofKind.SEARCHED, "c": ProofKind.SAMPLED}
     width = found["b"].found[0].grade.width
     assert width is not None and 0 < width <= 1 / 256
 
@@ -214,7 +214,7 @@ def test_a_peak_that_the_search_misses_is_found_by_its_proof() -> None:
     hump = "B.x/(1 mm) + 300*exp(-((t/(1 s) - 0.4321)/1e-4)^2)"
     result = measured(slider_crank(), m={"max": hump})["m"]
     assert result.shown() == pytest.approx(300 + 50 * math.cos(2 * math.pi * 0.4321), abs=1e-2)
-    assert result.found[0].grade.kind is Kind.ENCLOSED
+    assert result.found[0].grade.kind is ProofKind.ENCLOSED
 
 
 FAULTS = {
@@ -251,7 +251,7 @@ def test_a_proof_refutes_what_is_planted(monkeypatch: pytest.MonkeyPatch) -> Non
     true = Probe.top
     monkeypatch.setattr(Probe, "top", lambda p: Peak(true(p).value * (1 - 1e-6), 0.0, ""))
     (result,) = enclose(measurer, measurer.all())
-    assert result.found[0].grade.kind is Kind.SEARCHED
+    assert result.found[0].grade.kind is ProofKind.SEARCHED
     assert result.found[0].grade.reason == "refuted"
 
 

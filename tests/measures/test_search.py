@@ -7,12 +7,12 @@ import pytest
 from numpy.typing import NDArray
 
 from linkwright.measures import search
-from linkwright.measures.search import MANY, Pieces, turning
+from linkwright.measures.search import MANY, RunPieces, turning
 
 Array = NDArray[np.float64]
 
 NONE = np.empty(0)
-ALL = Pieces(0.0, 1.0, NONE, NONE, NONE)
+ALL = RunPieces(0.0, 1.0, NONE, NONE, NONE)
 
 
 def waves(*rates: float) -> search.Rates:

@@ -24,7 +24,7 @@ PAGE = (Path(__file__).parents[2] / "docs" / "file-format.md").read_text(encodin
 BLOCKS = re.findall(r"^```yaml\n(.*?)^```", PAGE, re.M | re.S)
 CLASSES = [
     parts.Units, parts.Parameter, parts.Link, parts.Joint, drive.Drive, actions.Table,
-    motions.MotionLaw, motions.Segment, cams.Cam,
+    motions.MotionLaw, motions.SegmentEntry, cams.Cam,
     *(kind.entry for kind in FORCES.values()), *(kind.entry for kind in REDUCTIONS.values()),
 ]  # fmt: skip
 

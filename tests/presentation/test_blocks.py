@@ -25,7 +25,7 @@ from linkwright.presentation.blocks import (
     Table,
     filled,
 )
-from linkwright.presentation.cells import Number, Verdict
+from linkwright.presentation.cells import NumberCell, Verdict
 from linkwright.words import catalogue
 
 
@@ -67,19 +67,19 @@ def made_up() -> Iterator[dict[str, str]]:
 @pytest.mark.parametrize(
     ("number", "text"),
     [
-        (Number(680.27771234), "680.2777"),
-        (Number(680.27771234, 3), "680"),
-        (Number(680.27771234, 9, "mm"), "680.277712 mm"),
-        (Number(-0.0625, unit="kN"), "-0.0625 kN"),
-        (Number(0.0, unit="mm"), "0 mm"),
-        (Number(1.26e-15, 1, form="e"), "1.3e-15"),
-        (Number(12.5, 2, form="f"), "12.50"),
-        (Number(None), "–"),
-        (Number(None, unit="mm"), "–"),
-        (Number(None, unknown=Said("limits.without_limit")), "unlimited"),
+        (NumberCell(680.27771234), "680.2777"),
+        (NumberCell(680.27771234, 3), "680"),
+        (NumberCell(680.27771234, 9, "mm"), "680.277712 mm"),
+        (NumberCell(-0.0625, unit="kN"), "-0.0625 kN"),
+        (NumberCell(0.0, unit="mm"), "0 mm"),
+        (NumberCell(1.26e-15, 1, form="e"), "1.3e-15"),
+        (NumberCell(12.5, 2, form="f"), "12.50"),
+        (NumberCell(None), "–"),
+        (NumberCell(None, unit="mm"), "–"),
+        (NumberCell(None, unknown=Said("limits.without_limit")), "unlimited"),
     ],
 )
-def test_numbers(number: Number, text: str) -> None:
+def test_numbers(number: NumberCell, text: str) -> None:
     assert str(number) == f"{number}" == text
 
 

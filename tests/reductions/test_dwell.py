@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from linkwright.reductions.dwell import Course
+from linkwright.reductions.dwell import TurningCourse
 from linkwright.results.stationary import stationary
 from studies.models import measured, slider_crank
 
@@ -20,7 +20,7 @@ def near(wanted: float, tolerance: float = 1e-11) -> Any:
 
 
 def longest(value: Any, turning: list[float], width: float) -> tuple[float, float]:
-    return Course(value, np.array(turning)).longest(width)
+    return TurningCourse(value, np.array(turning)).longest(width)
 
 
 def test_around_a_turning_point() -> None:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from linkwright.presentation.blocks import Check, Checks, Measure, Measures, MeasureValue, Section
-from linkwright.report import Link, Plot, ReportData, Scene
+from linkwright.report import LinkData, Plot, ReportData, Scene
 from linkwright.words.en.report import TEXTS
 
 AB, BC, CD, DE, AD, AH = 155.0, 395.0, 300.0, 500.0, 300.0, 580.0  # mm
@@ -44,7 +44,7 @@ def pose(origin: Any, angle: Any) -> Any:
 def scene_of(feeder: Feeder) -> Scene:
     p = feeder.points
 
-    def link(name: str, points: dict[str, list[float]], origin: Any, angle: Any, fixed: bool = False) -> Link:
+    def link(name: str, points: dict[str, list[float]], origin: Any, angle: Any, fixed: bool = False) -> LinkData:
         return {"name": name, "fixed": fixed, "points": points, "pose": pose(origin, angle)}
 
     pins = {"A": ("frame", "crank"), "B": ("crank", "coupler"), "C": ("coupler", "rocker")}

@@ -25,7 +25,7 @@ from linkwright.presentation.blocks import (
     Slider,
     Table,
 )
-from linkwright.presentation.cells import Number
+from linkwright.presentation.cells import NumberCell
 from linkwright.report.html_blocks import html, section
 
 HOSTILE = "<img src=x>&\"'"
@@ -33,7 +33,7 @@ SVG = "<svg/>"
 HOSTILES: list[tuple[Block, int]] = [
     (Sentences([HOSTILE]), 1),
     (Bullets([HOSTILE]), 1),
-    (Table("one", HOSTILE, [HOSTILE], [[HOSTILE], [Number(None, unknown=HOSTILE)]]), 6),  # heads stand by cells too
+    (Table("one", HOSTILE, [HOSTILE], [[HOSTILE], [NumberCell(None, unknown=HOSTILE)]]), 6),  # heads stand by cells too
     (Charts([Chart(HOSTILE, lambda: SVG)]), 1),
     (Charts([Chart("", lambda: SVG, HOSTILE, (0,))], [Slider(HOSTILE, [HOSTILE, "2 mm"], 0)]), 4),
     (Copied(HOSTILE, HOSTILE), 2),
@@ -74,7 +74,7 @@ def test_details_and_notes_stand_on_the_page() -> None:
 
 
 def test_cells_bear_their_heads_and_lines() -> None:
-    table = html(Table("one", "Title", ["a", "b"], [["x\ny", Number(2.5, unit="mm")]]))
+    table = html(Table("one", "Title", ["a", "b"], [["x\ny", NumberCell(2.5, unit="mm")]]))
     assert '<td data-head="a">x<br>y</td><td data-head="b">2.5 mm</td>' in table
     assert "<h3>Title</h3>" in table and 'class="limits"' in table
     wide = Table("one", "Title", [str(i) for i in range(8)], [[str(i) for i in range(8)]])

@@ -265,8 +265,8 @@ def test_powers_that_are_all_round_off_are_no_misfit() -> None:
 
 
 def test_what_newton_solves_is_followed_closely() -> None:
-    """Steps and corrections of a cluster's path; a mechanism of dyads has none."""
-    from graph.test_clusters import triad
+    """Steps and corrections of a higher group's path; a mechanism of dyads has none."""
+    from graph.test_higher_groups import triad
 
     certificate = certify(Run(compiled_from(triad()), 0.0, 3.0, 60))
     ((steps, correction),) = certificate.followed.values()

@@ -11,7 +11,7 @@ from large_models import CLASSES, FAULTS
 
 from linkwright.compilation import examine
 from linkwright.model.document import Document
-from linkwright.structure import Cluster, Topology, decompose
+from linkwright.structure import HigherGroup, Topology, decompose
 from linkwright.structure.freedoms import Freedoms
 from linkwright.structure.orientation import Orientation
 
@@ -60,7 +60,7 @@ def test_a_ring_is_one_group_whatever_its_size() -> None:
     compiled, findings = examine(Document.model_validate(model("ring", "sound", 30)))
     assert compiled is not None
     assert not findings
-    (group,) = [step for step in compiled.structure.steps if isinstance(step, Cluster)]
+    (group,) = [step for step in compiled.structure.steps if isinstance(step, HigherGroup)]
     assert len(group.links) == 30
 
 

@@ -145,10 +145,10 @@ COUPLER_DRIVE = {"motor": {"turns": "coupler", "on": "crank", "speed": 1, "start
 
 
 def test_a_group_beyond_dyads_is_taken_whole() -> None:
-    """The links that can only be placed together form one step; see tests/graph/test_clusters.py."""
+    """The links that can only be placed together form one step; see tests/graph/test_higher_groups.py."""
     structure = decompose(Document.model_validate(triad()))
     assert not structure.findings
-    assert len(structure.clusters) == 1
+    assert len(structure.higher_groups) == 1
 
 
 @pytest.mark.parametrize(

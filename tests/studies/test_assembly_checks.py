@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import linkwright as lw
-from graph.test_clusters import triad
+from graph.test_higher_groups import triad
 from linkwright.app import write
 from linkwright.app.job import summary_text
 from linkwright.model.document import Document

@@ -163,7 +163,7 @@ def test_measures_that_go_through_a_run_of_each_sample(path: str) -> None:
 
 
 @pytest.mark.parametrize("made", [platform, class_four])
-def test_clusters(made: Callable[[], Document]) -> None:
+def test_higher_groups(made: Callable[[], Document]) -> None:
     """Groups that Newton's method solves, followed from the start of each sample."""
     document = made()
     quantities = compile_mechanism(document).quantities

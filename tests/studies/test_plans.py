@@ -10,11 +10,11 @@ from scipy import stats
 from scipy.stats import qmc
 
 from linkwright.blocks import UNIT
-from linkwright.studies.distributions import Listed, Normal, Spread, Uniform
+from linkwright.studies.distributions import Listed, Normal, ParameterSpread, Uniform
 from linkwright.studies.plans import PLANS, Grid, Latin, Plan, Random, Sobol, register
 
 
-def listed(*values: float) -> Spread:
+def listed(*values: float) -> ParameterSpread:
     return Listed(values).spread([*values])
 
 

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from helpers.compiled import compiled_from
 from linkwright.exports.process_simulate import evaluator
 from linkwright.exports.process_simulate.functions import Wish, make
-from linkwright.exports.process_simulate.motion import Motion
+from linkwright.exports.process_simulate.motion import ToolMotion
 
 Array = NDArray[np.float64]
 Place = tuple[float, float]
@@ -76,7 +76,7 @@ class Printed:
         return first + second - self.beta0
 
 
-def motion(x1: float, p2: Place, p3: Place, **wish: object) -> tuple[Motion, dict[str, Array]]:
+def motion(x1: float, p2: Place, p3: Place, **wish: object) -> tuple[ToolMotion, dict[str, Array]]:
     """The hinge by linkwright: joints' turns since the drawn pose, by the solver and by the emitted text."""
     # alpha rises as the driving link turns clockwise, from -x towards +z.
     compiled = compiled_from(

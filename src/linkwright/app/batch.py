@@ -46,7 +46,7 @@ _FILE_NAME = re.compile(r"\w(?:[\w .-]{0,58}[\w-])?")
 
 
 @dataclass(frozen=True)
-class Column:
+class BatchColumn:
     """A column of values: the parameter and the unit in its head, which is empty where the model declares it."""
 
     place: int
@@ -88,9 +88,9 @@ class Batch:
         self.findings.append(Finding(code, path, data, at))
 
     @cached_property
-    def columns(self) -> list[Column]:
+    def columns(self) -> list[BatchColumn]:
         """The columns of values."""
-        found: list[Column] = []
+        found: list[BatchColumn] = []
         for place, head in enumerate(self.table.heads):
             if head in (NAME, MODEL):
                 continue
@@ -106,7 +106,7 @@ class Batch:
                 except UnitError as error:
                     self.note("units.unknown", (head[:60],), 1, word=str(error)[:40])
                 else:
-                    found.append(Column(place, head, name, of))
+                    found.append(BatchColumn(place, head, name, of))
         return found
 
     def rows(self) -> Iterator[tuple[int, str, str, list[str]]]:

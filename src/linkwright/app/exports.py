@@ -16,7 +16,7 @@ from linkwright.findings import Finding, ModelError, raise_errors
 from linkwright.model.document import Document
 from linkwright.model.origin import Origin
 from linkwright.model.yaml_text import read_text
-from linkwright.studies import Site
+from linkwright.studies import RunContext
 
 
 @dataclass
@@ -94,12 +94,12 @@ def examine_export(
     return examined.read_from(read)
 
 
-def export_of(examined: Examined, to: str, site: Site | None = None) -> ExportJob:
+def export_of(examined: Examined, to: str, site: RunContext | None = None) -> ExportJob:
     """Perform the export of an examined file; none where something is wrong with it."""
     job = ExportJob(examined, to)
     if examined.exit_code == 0 and examined.compiled is not None and examined.orders:
         (order,) = examined.orders
-        here = Site(document=examined.document, folder=examined.folder)
+        here = RunContext(document=examined.document, folder=examined.folder)
         try:
             job.exported = order.target.export(examined.compiled, order.options, site or here)
         except ModelError as error:

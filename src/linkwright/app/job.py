@@ -31,10 +31,10 @@ from linkwright.report.summary import drawn, found, summary
 from linkwright.studies import (
     NOWHERE,
     STUDIES,
-    Site,
+    RunContext,
     Stopped,
     Study,
-    Task,
+    StudyTask,
     read_studies,
 )
 from linkwright.studies.registry import OfStructures, Outcomes
@@ -49,7 +49,7 @@ class Examined:
 
     document: Document | None = None
     compiled: Compiled | None = None
-    tasks: list[Task] = field(default_factory=list)
+    tasks: list[StudyTask] = field(default_factory=list)
     orders: list[Order] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
     source: Source = field(default_factory=Source)
@@ -139,7 +139,7 @@ def examine_document(
 
 
 def _examination(
-    asked: Collection[str], tasks: list[Task], orders: list[Order]
+    asked: Collection[str], tasks: list[StudyTask], orders: list[Order]
 ) -> tuple[Callable[..., tuple[Compiled | None, list[Finding]]], list[Finding]]:
     """How a document is compiled for the studies that it asks for, and what can't stand beside one that brings a way of
     its own."""
@@ -158,7 +158,7 @@ def _nothing(*_: Any) -> tuple[None, list[Finding]]:
     return None, []
 
 
-def _checked(compiled: Compiled | None, tasks: list[Task], orders: list[Order]) -> list[Finding]:
+def _checked(compiled: Compiled | None, tasks: list[StudyTask], orders: list[Order]) -> list[Finding]:
     """What is wrong with the options of studies and exports."""
     if compiled is None:
         return []
@@ -212,7 +212,7 @@ class Job:
         return summary(document, self.outcomes, findings, self.examined.origin)
 
 
-def perform(examined: Examined, site: Site = NOWHERE) -> Job:
+def perform(examined: Examined, site: RunContext = NOWHERE) -> Job:
     """Perform the studies of an examined file where ``site`` says; none where something is wrong with it."""
     site = replace(site, document=examined.document, folder=examined.folder)
     if not examined.tasks and examined.exit_code == 0:
@@ -247,7 +247,7 @@ class Writing:
 USUAL = Writing()
 
 
-def carry_out(examined: Examined, site: Site, how: Writing = USUAL) -> Job:
+def carry_out(examined: Examined, site: RunContext, how: Writing = USUAL) -> Job:
     """Perform the studies of an examined file and write what comes of them to the site's ``out``, if there is one.
 
     What keeps the folder from being used stands among the findings. Raises OSError where it can't be written to.
@@ -340,7 +340,9 @@ def run(
     Raises :class:`ModelError` with all findings where the model can't be run at all; a motion that stops on its
     way is no exception but stands in ``job.cycle.failures``.
     """
-    job = carry_out(_examined(model, folder), Site(out=Path(out) if out is not None else None), Writing(force=force))
+    job = carry_out(
+        _examined(model, folder), RunContext(out=Path(out) if out is not None else None), Writing(force=force)
+    )
     raise_errors(job.examined.findings)
     if job.stopped is not None:
         raise job.stopped

@@ -81,7 +81,7 @@ def _extent(path: Path) -> tuple[int, int]:
 State = Literal["running", "done", "interrupted", "failed", "outdated"]
 
 
-class Part(_Strict):
+class CommandFiles(_Strict):
     """What one kind of command wrote: the studies, or an export.
 
     ``outdated`` are the files of the last run that was done, in the folder of that name; ``resumable`` the files from
@@ -117,7 +117,7 @@ class Manifest(_Strict):
     manifest: Literal[1] = 1
     about: str = ""
     model: Model
-    written: dict[str, Part] = Field(default_factory=dict)
+    written: dict[str, CommandFiles] = Field(default_factory=dict)
 
     @property
     def empty(self) -> bool:

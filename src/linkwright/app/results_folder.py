@@ -19,7 +19,7 @@ from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
 
-from linkwright.app.manifest import NAME, OUTDATED, Entry, Manifest, Model, Part, State, read_manifest
+from linkwright.app.manifest import NAME, OUTDATED, CommandFiles, Entry, Manifest, Model, State, read_manifest
 from linkwright.blocks.checkpoint import unsaved
 from linkwright.blocks.lock import Lock
 from linkwright.findings import Finding, ModelError
@@ -46,7 +46,7 @@ class ResultsFolder:
         self.path, self._origin, self._force, self._commented = path, origin, force, comments
         self._kind, self._lock = kind, Lock(path / LOCK)
         self._manifest = Manifest(model=Model.of(origin))
-        self._part = Part(state="running", date=origin.date)
+        self._part = CommandFiles(state="running", date=origin.date)
         self._begun = self._refused = self._made = False
 
     @property
@@ -116,7 +116,7 @@ class ResultsFolder:
             if path.is_symlink():
                 path.unlink()
 
-    def _set_aside(self, part: Part) -> None:
+    def _set_aside(self, part: CommandFiles) -> None:
         """Move files of a run that was done to ``outdated``; remove those of one that wasn't."""
         if part.state == "done" and part.files:
             self._clear(part)
@@ -130,7 +130,7 @@ class ResultsFolder:
                 _remove(self.path / entry.name)
         part.files, part.state = [], "outdated"
 
-    def _clear(self, part: Part, name: str | None = None) -> None:
+    def _clear(self, part: CommandFiles, name: str | None = None) -> None:
         """Remove what was set aside, all or of one name, but what was changed since."""
         for entry in part.outdated:
             if name in (None, entry.name) and entry.unchanged(self.path / OUTDATED):

@@ -13,7 +13,7 @@ from linkwright.blocks import RUNNERS, Runner
 from linkwright.exports import TARGETS
 from linkwright.findings import Finding, Term, raise_errors
 from linkwright.model.document import Document, parse_document, plain
-from linkwright.studies import STUDIES, Site
+from linkwright.studies import STUDIES, RunContext
 
 
 @contextmanager
@@ -105,7 +105,7 @@ def perform_alone(
         examined.read_from(read)
     target = Path(out) if out is not None else None
     with runner_of(workers, cluster) as runner:
-        job = carry_out(examined, Site(out=target, runner=runner, fresh=fresh), Writing(force=force))
+        job = carry_out(examined, RunContext(out=target, runner=runner, fresh=fresh), Writing(force=force))
     raise_errors(examined.findings)
     if job.stopped is not None:
         raise job.stopped

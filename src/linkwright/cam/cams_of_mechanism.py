@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from linkwright.cam.disc import Disc
 from linkwright.cam.followers import (
-    Follower,
+    CamFollowerGeometry,
     SwingingFlat,
     SwingingRoller,
     TranslatingFlat,
@@ -25,7 +25,7 @@ from linkwright.cam.followers import (
 )
 from linkwright.cam.form_closure import Conjugate, opposite
 from linkwright.elements.cam_contact import CamFollower, cam_followers
-from linkwright.elements.cam_contact.contact import Seat, seat, sense
+from linkwright.elements.cam_contact.contact import CamPair, seat, sense
 from linkwright.elements.cam_contact.second import second_seat
 from linkwright.expressions import units as u
 from linkwright.graph.geometry import Geometry
@@ -109,7 +109,7 @@ def _geometry(compiled: Compiled, parameters: Parameters | None) -> Geometry:
     return Geometry(compiled.quantities, parameters or compiled.quantities.parameters)
 
 
-def _read(compiled: Compiled, name: str, parameters: Parameters | None) -> tuple[CamFollower, Seat]:
+def _read(compiled: Compiled, name: str, parameters: Parameters | None) -> tuple[CamFollower, CamPair]:
     drive = cam_followers(compiled.mechanism)[name]
     return drive, seat(_geometry(compiled, parameters), drive)
 
@@ -118,7 +118,7 @@ def _mirror(drive: CamFollower) -> int:
     return drive.side if drive.pivot is not None else 1
 
 
-def _follower(drive: CamFollower, here: Seat) -> Follower:
+def _follower(drive: CamFollower, here: CamPair) -> CamFollowerGeometry:
     base, roller, aside, reach = (float(value) for value in (here.base, here.roller, here.aside, here.reach))
     if here.turns:
         distance = float(here.distance)

@@ -14,11 +14,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from linkwright.cam.disc import Disc
-from linkwright.cam.extremes import Extreme, curvature, extremes, pressure, stretches
+from linkwright.cam.extremes import CamExtreme, curvature, extremes, pressure, stretches
 
 
 @dataclass(frozen=True)
-class Limits:
+class CamLimits:
     """What must hold, SI; ``None`` isn't asked for. Pressure angles on the rise and on the return; the least radius of
     the convex pitch curve over the roller's; the least convex radius of the profile; the cutter's radius. ``groove``:
     the roller runs between two flanks."""
@@ -32,7 +32,7 @@ class Limits:
 
 
 @dataclass(frozen=True)
-class Check:
+class CamCheck:
     """A figure at its worst: its name, value (SI) and cam angle; the limit, if any, and by how much it is kept."""
 
     name: str
@@ -47,13 +47,13 @@ class Check:
         return self.margin is None or self.margin >= 0
 
 
-def checks(disc: Disc, limits: Limits | None = None, exact: bool = True) -> list[Check]:
+def checks(disc: Disc, limits: CamLimits | None = None, exact: bool = True) -> list[CamCheck]:
     """Each figure at its worst, those that the cam hasn't left out: no hollow, no flank. Not ``exact``: see
     :func:`linkwright.cam.extremes.extremes`."""
-    return list(_checks(disc, limits or Limits(), exact))
+    return list(_checks(disc, limits or CamLimits(), exact))
 
 
-def _checks(disc: Disc, limits: Limits, exact: bool, limited: bool = False) -> Iterator[Check]:
+def _checks(disc: Disc, limits: CamLimits, exact: bool, limited: bool = False) -> Iterator[CamCheck]:
     """All figures, or those alone that are ``limited``: what isn't asked for costs time where sizes are looked for."""
     for name, rising, most in (
         ("pressure_rise", True, limits.pressure_rise),
@@ -61,49 +61,49 @@ def _checks(disc: Disc, limits: Limits, exact: bool, limited: bool = False) -> I
     ):
         if not (limited and most is None) and (moving := stretches(disc, rising)):
             found = extremes(disc, pressure, moving, exact)[1]
-            yield Check(name, found.value, found.theta, most, None if most is None else most - found.value)
+            yield CamCheck(name, found.value, found.theta, most, None if most is None else most - found.value)
     yield from (_faced if disc.follower.faced else _rolled)(disc, limits, exact, limited)
 
 
-def _faced(disc: Disc, limits: Limits, exact: bool, _: bool) -> Iterator[Check]:
+def _faced(disc: Disc, limits: CamLimits, exact: bool, _: bool) -> Iterator[CamCheck]:
     """A flat face touches convex places only."""
     least = extremes(disc, lambda look: 1.0 / look.curvature, exact=exact)[0]
     limit = limits.profile_radius or 0.0
-    yield Check("profile_radius", least.value, least.theta, limit, least.value - limit)
+    yield CamCheck("profile_radius", least.value, least.theta, limit, least.value - limit)
 
 
-def _rolled(disc: Disc, limits: Limits, exact: bool, limited: bool) -> Iterator[Check]:
+def _rolled(disc: Disc, limits: CamLimits, exact: bool, limited: bool) -> Iterator[CamCheck]:
     roller = disc.follower.radius
     hollow, bulge = extremes(disc, curvature(), exact=exact)
     if bulge.value > 0:
         radius, least = 1.0 / bulge.value, roller * (limits.pitch_over_roller or 1.0)
-        yield Check("pitch_radius", radius, bulge.theta, least, radius - least)
+        yield CamCheck("pitch_radius", radius, bulge.theta, least, radius - least)
     if roller * bulge.value >= 1:
         return  # undercut: there is no profile
     if not limited or limits.profile_radius is not None or limits.cutter is not None:
         yield from _profile(roller, limits, hollow, bulge)
     if limits.groove and hollow.value < 0:
-        yield Check("groove_radius", -1.0 / hollow.value, hollow.theta, roller, -1.0 / hollow.value - roller)
+        yield CamCheck("groove_radius", -1.0 / hollow.value, hollow.theta, roller, -1.0 / hollow.value - roller)
 
 
-def _profile(roller: float, limits: Limits, hollow: Extreme, bulge: Extreme) -> Iterator[Check]:
+def _profile(roller: float, limits: CamLimits, hollow: CamExtreme, bulge: CamExtreme) -> Iterator[CamCheck]:
     """The profile is sharpest and deepest where the pitch curve is, its radius less by the roller's."""
     if bulge.value > 0:
         value, wanted = 1.0 / bulge.value - roller, limits.profile_radius
-        yield Check("profile_radius", value, bulge.theta, wanted, None if wanted is None else value - wanted)
+        yield CamCheck("profile_radius", value, bulge.theta, wanted, None if wanted is None else value - wanted)
     if hollow.value < 0:
         value, wanted = -1.0 / hollow.value + roller, limits.cutter
-        yield Check("hollow_radius", value, hollow.theta, wanted, None if wanted is None else value - wanted)
+        yield CamCheck("hollow_radius", value, hollow.theta, wanted, None if wanted is None else value - wanted)
 
 
-def undercut(disc: Disc) -> Check | None:
+def undercut(disc: Disc) -> CamCheck | None:
     """The check that fails where there is no profile: the follower would cut into the cam that moves it."""
     name = "profile_radius" if disc.follower.faced else "pitch_radius"
-    found = next((check for check in _checks(disc, Limits(), True, limited=True) if check.name == name), None)
+    found = next((check for check in _checks(disc, CamLimits(), True, limited=True) if check.name == name), None)
     return found if found is not None and found.margin is not None and found.margin <= 0 else None
 
 
-def worst(disc: Disc, limits: Limits, exact: bool = True) -> float:
+def worst(disc: Disc, limits: CamLimits, exact: bool = True) -> float:
     """The least margin of all limits, as shares: of a right angle, of the base circle's radius."""
     shares = [
         check.margin / (math.pi / 2 if check.name.startswith("pressure") else disc.follower.base)

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.cam.disc import TURN, Disc, Look
+from linkwright.cam.disc import TURN, Disc, DiscJets
 from linkwright.cam.extremes import Figure, extremes
 from linkwright.cam.followers import dot
 from linkwright.notation import Jet
@@ -35,7 +35,7 @@ class NoContact(ValueError):
 
 
 @dataclass(frozen=True)
-class Side:
+class ContactPlace:
     """One place at which a cam holds its follower: a disc ``shift`` rad ahead of the cam angle, its flank; ``mirrored``
     if the disc is described in a world in which y is -y."""
 
@@ -49,11 +49,11 @@ class Side:
         """The cam angles at which the law changes on this side."""
         return [join - self.shift for join in self.disc.joins]
 
-    def look(self, theta: Array) -> Look:
+    def look(self, theta: Array) -> DiscJets:
         """The disc where it touches on this side at cam angles (n,)."""
         return self.disc.look(np.mod(np.asarray(theta) + self.shift, TURN) if self.shift else theta)
 
-    def reduced(self, look: Look) -> Jet:
+    def reduced(self, look: DiscJets) -> Jet:
         """The radius (m) of the cylinder that touches a plane as cam and follower touch: 1/R = 1/roller + 1/profile,
         with a hollow profile's radius negative. Of a knife edge 0; negative where the cam is undercut."""
         if self.disc.follower.faced:
@@ -61,7 +61,7 @@ class Side:
         roller = self.disc.follower.radius
         return roller * (1.0 + self.flank * roller * look.curvature)
 
-    def passing(self, look: Look) -> Jet:
+    def passing(self, look: DiscJets) -> Jet:
         """How far the cam's surface passes the follower's body at the contact (m/rad), counter-clockwise about the
         cam's centre positive: slides on a face or an edge; turns a roller."""
         reach = self.flank * self.disc.follower.radius
@@ -71,7 +71,7 @@ class Side:
         return self.disc.sense * dot((contact[0], contact[1]), look.along) - look.lift.rate() * dot(body, tangent)
 
 
-def reach(look: Look) -> Jet:
+def reach(look: DiscJets) -> Jet:
     """The lever of the contact force along the lift (m/m or m/rad): the cosine of the pressure angle times the length
     of the arm."""
     return dot(look.along, look.arm)
@@ -84,7 +84,7 @@ def on_face(disc: Disc) -> Figure:
     return lambda look: dot((look.centre[0] - pivot, look.centre[1]), (-look.along[1], look.along[0]))
 
 
-def drivable(side: Side) -> None:
+def drivable(side: ContactPlace) -> None:
     """Raise :class:`NoContact` where the lift or its rate jumps (``cam.shock``: an infinite force), or where the
     pressure angle reaches a right angle (``cam.locked``)."""
     disc = side.disc

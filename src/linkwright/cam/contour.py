@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from linkwright.cam.disc import Disc
-from linkwright.cam.nc.path import SHARE, Element, Path
+from linkwright.cam.nc.path import SHARE, CutterPath, Element
 
 DECIMALS = 9
 """Of a mm: what rounding takes of the tolerance doesn't count."""
@@ -17,7 +17,7 @@ def contour(disc: Disc, tolerance: float, offset: float | None = None) -> list[E
     """Arcs and lines (mm), end to end and closed, counter-clockwise, within ``tolerance`` (m) of the profile, or of the
     curve ``offset`` (m) outward of the pitch curve. Raises :class:`linkwright.cam.nc.path.Sharp`."""
     by = -disc.follower.radius if offset is None else offset
-    path = Path(disc, by, 0.0, -disc.sense, tolerance / SHARE, DECIMALS, along=True)
+    path = CutterPath(disc, by, 0.0, -disc.sense, tolerance / SHARE, DECIMALS, along=True)
     return path.elements()
 
 

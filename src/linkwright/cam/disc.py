@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.cam.followers import Follower, Vector, cross, dot, turned
+from linkwright.cam.followers import CamFollowerGeometry, Vector, cross, dot, turned
 from linkwright.notation import Jet
 
 Array = NDArray[np.float64]
@@ -33,7 +33,7 @@ KEPT = 1024
 
 
 @dataclass(frozen=True)
-class Look:
+class DiscJets:
     """A cam at some angles, jets of the cam angle whose entries are (n,).
 
     ``lift`` is of order 3. In the cam's frame: ``pitch`` is the pitch curve (without a roller: the profile), ``normal``
@@ -80,7 +80,7 @@ class Disc:
     ``joins`` are the angles, 0 .. 2 pi, at which the law of the lift changes; values there are those from the right.
     """
 
-    follower: Follower
+    follower: CamFollowerGeometry
     lift: Lift
     sense: int = 1
     joins: Sequence[float] = (0.0,)
@@ -97,10 +97,10 @@ class Disc:
         return {}
 
     @cached_property
-    def _grids(self) -> dict[tuple[float, float, int, int], tuple[Array, Look]]:
+    def _grids(self) -> dict[tuple[float, float, int, int], tuple[Array, DiscJets]]:
         return {}
 
-    def grid(self, start: float, stop: float, steps: int, order: int = ORDER) -> tuple[Array, Look]:
+    def grid(self, start: float, stop: float, steps: int, order: int = ORDER) -> tuple[Array, DiscJets]:
         """Equal steps over a stretch within a piece, and the cam there, at its end from the left; kept, as many figures
         are looked for on the same stretches."""
         key = start, stop, steps, order
@@ -109,21 +109,21 @@ class Disc:
             self._grids[key] = theta, self.look(inside(theta, start, stop), order)
         return self._grids[key]
 
-    def within(self, theta: Array, start: float, stop: float) -> Look:
+    def within(self, theta: Array, start: float, stop: float) -> DiscJets:
         """The cam at angles (n,) within a piece, at its end from the left; see :meth:`grid` for equal steps."""
         steps = theta.size - 1
         if 1 < steps <= KEPT and np.array_equal(theta, np.linspace(start, stop, steps + 1)):
             return self.grid(start, stop, steps)[1]
         return self.look(inside(theta, start, stop))
 
-    def look(self, theta: Array, order: int = ORDER) -> Look:
+    def look(self, theta: Array, order: int = ORDER) -> DiscJets:
         """The cam at angles (n,); of a lower ``order`` that of the lift, and all else with it."""
         theta = np.asarray(theta, dtype=float)
         angle = Jet([theta, np.ones_like(theta), *(np.zeros_like(theta) for _ in range(order - 1))])
         lift = self.lift(angle)
         with np.errstate(divide="ignore", invalid="ignore"):  # in a cusp the curvature is infinite
             made = self._faced(angle, lift) if self.follower.faced else self._rolled(angle, lift)
-        return Look(theta, lift, *made)
+        return DiscJets(theta, lift, *made)
 
     def _rolled(self, angle: Jet, lift: Jet) -> tuple[Vector, Vector, Jet, Jet, Jet, Vector, Vector, Vector]:
         centre = self.follower.touch(lift).at

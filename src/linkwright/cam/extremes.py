@@ -10,12 +10,12 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.cam.disc import Disc, Lift, Look, inside
+from linkwright.cam.disc import Disc, DiscJets, Lift, inside
 from linkwright.notation import Jet
 from linkwright.results.stationary import crossings, stationary
 
 Array = NDArray[np.float64]
-Figure = Callable[[Look], Jet]
+Figure = Callable[[DiscJets], Jet]
 """A figure with at least its first derivative by the cam angle."""
 
 MOVES = 1e-9
@@ -29,7 +29,7 @@ STEPS = 128
 
 
 @dataclass(frozen=True)
-class Extreme:
+class CamExtreme:
     """A value in SI and the cam angle ``theta`` (rad) at which it is taken, or from one side of which."""
 
     value: float
@@ -38,7 +38,7 @@ class Extreme:
 
 def extremes(
     disc: Disc, figure: Figure, over: Iterable[tuple[float, float]] | None = None, exact: bool = True
-) -> tuple[Extreme, Extreme]:
+) -> tuple[CamExtreme, CamExtreme]:
     """The least and the largest value of a figure, of the whole turn or ``over`` stretches within pieces of the law;
     limits from inside count at their ends. A value that is kept over a stretch is placed at its start. Not ``exact``:
     the best of 2 :data:`STEPS` places of each stretch, much sooner. Raises ValueError where the figure is nowhere a
@@ -46,11 +46,13 @@ def extremes(
     key = figure, tuple(disc.pieces if over is None else over), exact
     if key not in disc.known:
         disc.known[key] = _found(disc, *key)
-    found: tuple[Extreme, Extreme] = disc.known[key]
+    found: tuple[CamExtreme, CamExtreme] = disc.known[key]
     return found
 
 
-def _found(disc: Disc, figure: Figure, over: tuple[tuple[float, float], ...], exact: bool) -> tuple[Extreme, Extreme]:
+def _found(
+    disc: Disc, figure: Figure, over: tuple[tuple[float, float], ...], exact: bool
+) -> tuple[CamExtreme, CamExtreme]:
     found: list[tuple[Array, Array]] = []
     for start, stop in over:
 
@@ -77,7 +79,9 @@ def _found(disc: Disc, figure: Figure, over: tuple[tuple[float, float], ...], ex
     low, high = float(values.min()), float(values.max())
     close = SAME * max(abs(low), abs(high))
     starts, ends = (np.array(side) for side in zip(*over, strict=True))
-    return tuple(Extreme(value, _first(theta[np.abs(values - value) <= close], starts, ends)) for value in (low, high))  # type: ignore[return-value]
+    return tuple(
+        CamExtreme(value, _first(theta[np.abs(values - value) <= close], starts, ends)) for value in (low, high)
+    )  # type: ignore[return-value]
 
 
 def _first(theta: Array, starts: Array, ends: Array) -> float:
@@ -113,13 +117,13 @@ def moving(lift: Lift, pieces: tuple[tuple[float, float], ...]) -> list[tuple[fl
 def curvature(by: float = 0.0) -> Figure:
     """The curvature (1/m) of the curve ``by`` (m) outward of the pitch curve; negative beyond a cusp."""
 
-    def figure(look: Look) -> Jet:
+    def figure(look: DiscJets) -> Jet:
         with np.errstate(divide="ignore", invalid="ignore"):  # at a cusp
             return look.curvature / (1.0 + by * look.curvature)
 
     return figure
 
 
-def pressure(look: Look) -> Jet:
+def pressure(look: DiscJets) -> Jet:
     """The size of the pressure angle (rad)."""
     return abs(look.pressure)

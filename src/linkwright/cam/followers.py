@@ -31,7 +31,7 @@ class NoFollower(ValueError):
 
 
 @dataclass(frozen=True)
-class Touch:
+class ContactJets:
     """What the follower holds against the cam, in the fixed frame, as jets of the cam angle.
 
     ``at`` is the centre of a roller or the edge of a knife, ``None`` for a flat face; this has its outward normal (away
@@ -44,7 +44,7 @@ class Touch:
     along: Vector | None = None
 
 
-class Follower:
+class CamFollowerGeometry:
     """A guide and what touches. ``base`` is the radius of the cam's base circle (m)."""
 
     name: ClassVar[str]
@@ -70,7 +70,7 @@ class Follower:
         """The radius (m) of the base circle on which it would rest at a start; not positive where there is none."""
         raise NotImplementedError
 
-    def touch(self, lift: Jet) -> Touch:
+    def touch(self, lift: Jet) -> ContactJets:
         """The contact at a lift (m or rad)."""
         raise NotImplementedError
 
@@ -93,23 +93,23 @@ class Follower:
         raise NotImplementedError
 
 
-FOLLOWERS: Registry[type[Follower]] = Registry()
+FOLLOWERS: Registry[type[CamFollowerGeometry]] = Registry()
 
 
-def register(cls: type[Follower]) -> type[Follower]:
+def register(cls: type[CamFollowerGeometry]) -> type[CamFollowerGeometry]:
     """Register a follower under its name."""
     FOLLOWERS[cls.name] = cls
     return cls
 
 
-class Translating(Follower):
+class Translating(CamFollowerGeometry):
     """Moves along +y."""
 
     def velocity(self, at: Vector) -> Vector:
         return Jet.constant(0.0, at[0].order), Jet.constant(1.0, at[0].order)
 
 
-class Swinging(Follower):
+class Swinging(CamFollowerGeometry):
     """Turns clockwise about its pivot at (``distance``, 0); the arm makes the angle ``start`` + lift with the line from
     the pivot to the cam's centre."""
 
@@ -150,8 +150,8 @@ class TranslatingRoller(Translating):
     def base_at(self, start: float) -> float:
         return math.hypot(self.offset, start) - self.radius
 
-    def touch(self, lift: Jet) -> Touch:
-        return Touch(at=(Jet.constant(self.offset, lift.order), lift + self.start))
+    def touch(self, lift: Jet) -> ContactJets:
+        return ContactJets(at=(Jet.constant(self.offset, lift.order), lift + self.start))
 
     def resting(self, x: Array, y: Array) -> Array:
         return y + np.sqrt(self.radius**2 - (x - self.offset) ** 2) - self.start
@@ -200,9 +200,9 @@ class SwingingRoller(Swinging):
         a, arm = self.distance, self.arm
         return math.sqrt(a * a + arm * arm - 2 * a * arm * math.cos(start)) - self.radius
 
-    def touch(self, lift: Jet) -> Touch:
+    def touch(self, lift: Jet) -> ContactJets:
         angle = lift + self.start
-        return Touch(at=(self.distance - self.arm * angle.cos(), self.arm * angle.sin()))
+        return ContactJets(at=(self.distance - self.arm * angle.cos(), self.arm * angle.sin()))
 
     def resting(self, x: Array, y: Array) -> Array:
         return self._against(x, y, 1)
@@ -235,9 +235,9 @@ class TranslatingFlat(Translating):
     def base_at(self, start: float) -> float:
         return start
 
-    def touch(self, lift: Jet) -> Touch:
+    def touch(self, lift: Jet) -> ContactJets:
         up, none = (Jet.constant(value, lift.order) for value in (1.0, 0.0))
-        return Touch(facing=Jet.constant(math.pi / 2, lift.order), height=lift + self.base, along=(none, up))
+        return ContactJets(facing=Jet.constant(math.pi / 2, lift.order), height=lift + self.base, along=(none, up))
 
     def resting(self, x: Array, y: Array) -> Array:
         return y - self.base
@@ -265,10 +265,10 @@ class SwingingFlat(Swinging):
     def base_at(self, start: float) -> float:
         return self.distance * math.sin(start) + self.face
 
-    def touch(self, lift: Jet) -> Touch:
+    def touch(self, lift: Jet) -> ContactJets:
         angle = lift + self.start
         height = self.distance * angle.sin() + self.face
-        return Touch(facing=math.pi / 2 - angle, height=height, along=(angle.sin(), angle.cos()))
+        return ContactJets(facing=math.pi / 2 - angle, height=height, along=(angle.sin(), angle.cos()))
 
     def resting(self, x: Array, y: Array) -> Array:
         away = np.hypot(x - self.distance, y)

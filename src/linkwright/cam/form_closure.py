@@ -1,8 +1,7 @@
 """Followers closed by form: a groove, a conjugate pair of discs, a yoke around one disc.
 
-Each gives the second :class:`linkwright.cam.contact.Side`, with which :func:`linkwright.cam.loads.forces` says when
-which side bears. (Rothbart, Cam Design Handbook, 2004; Norton, Cam Design and Manufacturing Handbook,
-2nd ed.)
+Each gives the second :class:`linkwright.cam.contact.ContactPlace`, with which :func:`linkwright.cam.loads.forces` says
+when which side bears. (Rothbart, Cam Design Handbook, 2004; Norton, Cam Design and Manufacturing Handbook, 2nd ed.)
 """
 
 from __future__ import annotations
@@ -14,17 +13,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.cam.checks import Check, Limits, checks, undercut
-from linkwright.cam.contact import NoContact, Side
-from linkwright.cam.disc import Disc, Look
-from linkwright.cam.extremes import Extreme, extremes
+from linkwright.cam.checks import CamCheck, CamLimits, checks, undercut
+from linkwright.cam.contact import ContactPlace, NoContact
+from linkwright.cam.disc import Disc, DiscJets
+from linkwright.cam.extremes import CamExtreme, extremes
 from linkwright.notation import Jet
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class Groove:
+class GrooveClosure:
     """A roller between two flanks, both offset from the pitch curve by its radius.
 
     ``checks`` are those of the inner flank (``pitch_radius``) and of the outer one (``groove_radius``), each with its
@@ -32,15 +31,15 @@ class Groove:
     """
 
     disc: Disc
-    checks: tuple[Check, ...]
+    checks: tuple[CamCheck, ...]
 
     @property
-    def second(self) -> Side:
+    def second(self) -> ContactPlace:
         """The outer flank."""
-        return Side(self.disc, flank=1)
+        return ContactPlace(self.disc, flank=1)
 
     @property
-    def figures(self) -> dict[str, Extreme]:
+    def figures(self) -> dict[str, CamExtreme]:
         """Sizes by name: none."""
         return {}
 
@@ -50,12 +49,12 @@ class Groove:
         return all(check.kept for check in self.checks)
 
 
-def groove(disc: Disc) -> Groove:
+def groove(disc: Disc) -> GrooveClosure:
     """The groove of a cam with a roller. Raises :class:`NoContact` (``cam.groove``) for one without."""
     if not disc.follower.radius > 0:
         raise NoContact("cam.groove")
-    found = checks(disc, Limits(groove=True))
-    return Groove(disc, tuple(check for check in found if check.name in ("pitch_radius", "groove_radius")))
+    found = checks(disc, CamLimits(groove=True))
+    return GrooveClosure(disc, tuple(check for check in found if check.name in ("pitch_radius", "groove_radius")))
 
 
 @dataclass(frozen=True)
@@ -74,14 +73,14 @@ class Conjugate:
     between: float
 
     @property
-    def second(self) -> Side:
+    def second(self) -> ContactPlace:
         """The second disc as a side."""
-        return Side(self.disc, mirrored=True)
+        return ContactPlace(self.disc, mirrored=True)
 
     @property
-    def figures(self) -> dict[str, Extreme]:
+    def figures(self) -> dict[str, CamExtreme]:
         """Sizes by name: the second base circle (m), and what is between (m or rad)."""
-        return {"second_base": Extreme(self.disc.follower.base, 0.0), "between": Extreme(self.between, 0.0)}
+        return {"second_base": CamExtreme(self.disc.follower.base, 0.0), "between": CamExtreme(self.between, 0.0)}
 
     def curve(self, theta: Array, by: float | None = None) -> Array:
         """The second disc's profile, or its curve ``by`` (m) outward of the pitch curve, in the frame of the first, at
@@ -144,8 +143,8 @@ class Yoke:
     """
 
     disc: Disc
-    narrowest: Extreme
-    widest: Extreme
+    narrowest: CamExtreme
+    widest: CamExtreme
 
     @property
     def play(self) -> float:
@@ -153,15 +152,15 @@ class Yoke:
         return self.widest.value - self.narrowest.value
 
     @property
-    def figures(self) -> dict[str, Extreme]:
+    def figures(self) -> dict[str, CamExtreme]:
         """Sizes by name (m)."""
-        play = Extreme(self.play, self.widest.theta)
+        play = CamExtreme(self.play, self.widest.theta)
         return {"yoke_span_min": self.narrowest, "yoke_span_max": self.widest, "play": play}
 
     @property
-    def second(self) -> Side:
+    def second(self) -> ContactPlace:
         """The contact on the other side."""
-        return Side(self.disc, shift=math.pi)
+        return ContactPlace(self.disc, shift=math.pi)
 
 
 def yoke(disc: Disc) -> Yoke:
@@ -171,14 +170,14 @@ def yoke(disc: Disc) -> Yoke:
     follower = disc.follower
     if follower.turns:
         raise NoContact("cam.yoke")
-    other = Side(disc, shift=math.pi)
+    other = ContactPlace(disc, shift=math.pi)
 
-    def span(look: Look) -> Jet:
+    def span(look: DiscJets) -> Jet:
         return look.lift + other.look(look.theta).lift + 2 * follower.start
 
     both = replace(disc, joins=(*disc.joins, *other.joins))
     return Yoke(disc, *extremes(both, span))
 
 
-Closing = Groove | Conjugate | Yoke
+Closing = GrooveClosure | Conjugate | Yoke
 """What keeps a follower on without a force."""

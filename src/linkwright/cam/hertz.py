@@ -16,10 +16,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.cam.contact import NoContact, Side, rows
-from linkwright.cam.disc import TURN, Look
-from linkwright.cam.extremes import Extreme, Figure, extremes
-from linkwright.cam.loads import Forces
+from linkwright.cam.contact import ContactPlace, NoContact, rows
+from linkwright.cam.disc import TURN, DiscJets
+from linkwright.cam.extremes import CamExtreme, Figure, extremes
+from linkwright.cam.loads import CamForces
 from linkwright.notation import Jet
 
 Array = NDArray[np.float64]
@@ -49,13 +49,13 @@ class Pressure:
     ``width`` (m) is the common length of the contact line, ``modulus`` (Pa) the effective one.
     """
 
-    forces: Forces
+    forces: CamForces
     width: float
     modulus: float
     second: bool = False
 
     @property
-    def side(self) -> Side:
+    def side(self) -> ContactPlace:
         """The side that it is about."""
         side = self.forces.second if self.second else self.forces.first
         assert side is not None
@@ -87,16 +87,16 @@ class Pressure:
         return found
 
     @cached_property
-    def highest(self) -> Extreme:
+    def highest(self) -> CamExtreme:
         """The largest pressure (Pa) of the turn; 0 where the side never bears."""
         contact = self.forces.figure(self.second)
         square = extremes(self.forces.disc, lambda look: contact(look) / self.side.reduced(self.side.look(look.theta)))
         most = square[1].value * self.modulus / (math.pi * self.width)
-        return Extreme(math.sqrt(max(0.0, most)), square[1].theta)
+        return CamExtreme(math.sqrt(max(0.0, most)), square[1].theta)
 
 
 def pressure(
-    forces: Forces, width: float, cam: Material = STEEL, follower: Material = STEEL, second: bool = False
+    forces: CamForces, width: float, cam: Material = STEEL, follower: Material = STEEL, second: bool = False
 ) -> Pressure:
     """The Hertz pressure on the first or the second side under the forces. ``width`` (m) is that of the contact.
 
@@ -108,7 +108,7 @@ def pressure(
     return found
 
 
-def meets(side: Side) -> None:
+def meets(side: ContactPlace) -> None:
     """Raise :class:`linkwright.cam.contact.NoContact` where no line touches."""
     follower = side.disc.follower
     if not follower.faced and not follower.radius > 0:
@@ -123,7 +123,7 @@ class Rolling:
     """How the surfaces pass at a cam speed ``omega`` (rad/s), at cam angles ``theta`` (n,): a roller that doesn't slip
     turns by it, a face or an edge slides by it."""
 
-    side: Side
+    side: ContactPlace
     omega: float
     theta: Array
 
@@ -144,12 +144,12 @@ class Rolling:
         return self._values(self._acceleration)
 
     @cached_property
-    def spin_range(self) -> tuple[Extreme, Extreme]:
+    def spin_range(self) -> tuple[CamExtreme, CamExtreme]:
         """The least and the largest spin (rad/s) against the pin."""
         return self._extremes(self._spin)
 
     @cached_property
-    def acceleration_range(self) -> tuple[Extreme, Extreme]:
+    def acceleration_range(self) -> tuple[CamExtreme, CamExtreme]:
         """The least and the largest acceleration (rad/s2) of the roller."""
         return self._extremes(self._acceleration)
 
@@ -157,16 +157,16 @@ class Rolling:
     def _sense(self) -> int:
         return -1 if self.side.mirrored else 1
 
-    def _turning(self, look: Look) -> Jet:
+    def _turning(self, look: DiscJets) -> Jet:
         """By the cam angle: the roller touches with the surface that is ``flank`` times its radius from the pin."""
         if not (radius := self.side.disc.follower.radius) > 0:
             raise NoContact("cam.no-roller")
         return self.side.passing(look) * (self._sense * self.side.flank / radius)
 
-    def _spin(self, look: Look) -> Jet:
+    def _spin(self, look: DiscJets) -> Jet:
         return self._turning(look) * self.omega
 
-    def _acceleration(self, look: Look) -> Jet:
+    def _acceleration(self, look: DiscJets) -> Jet:
         own = self._turning(look).rate()
         if self.side.disc.follower.turns:  # clockwise with the lift
             own = own - look.lift.rate().rate() * self._sense
@@ -175,15 +175,15 @@ class Rolling:
     def _values(self, figure: Figure) -> Array:
         return rows(figure(self.side.look(self.theta)).d[0], self.theta.size)
 
-    def _extremes(self, figure: Figure) -> tuple[Extreme, Extreme]:
+    def _extremes(self, figure: Figure) -> tuple[CamExtreme, CamExtreme]:
         low, high = (
-            Extreme(one.value, (one.theta - self.side.shift) % TURN) for one in extremes(self.side.disc, figure)
+            CamExtreme(one.value, (one.theta - self.side.shift) % TURN) for one in extremes(self.side.disc, figure)
         )
         return low, high
 
 
-def rolling(side: Side, omega: float, theta: Array) -> Rolling:
-    """How the surfaces pass on a side at a cam speed (rad/s); ``Side(disc)`` is a follower that rests on a cam.
+def rolling(side: ContactPlace, omega: float, theta: Array) -> Rolling:
+    """How the surfaces pass on a side at a cam speed (rad/s); ``ContactPlace(disc)`` is a follower that rests on a cam.
 
     Raises :class:`linkwright.cam.contact.NoContact` (``cam.undercut``).
     """

@@ -17,15 +17,15 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.cam.contact import Side, drivable, reach, rows
-from linkwright.cam.disc import Disc, Look
+from linkwright.cam.contact import ContactPlace, drivable, reach, rows
+from linkwright.cam.disc import Disc, DiscJets
 from linkwright.cam.disc import inside as within
-from linkwright.cam.extremes import STEPS, Extreme, Figure, extremes
+from linkwright.cam.extremes import STEPS, CamExtreme, Figure, extremes
 from linkwright.notation import Jet
 from linkwright.results.stationary import crossings
 
 Array = NDArray[np.float64]
-Load = Callable[[Look], Jet]
+Load = Callable[[DiscJets], Jet]
 """A generalised force (N or N m) that presses the follower onto the cam, with its first derivative by the cam angle."""
 
 NOTHING = 1e-12
@@ -50,7 +50,7 @@ def by_both(function: Callable[[Jet, Jet], Jet]) -> Load:
 
 
 @dataclass(frozen=True)
-class Loads:
+class FollowerLoads:
     """What acts on a follower along its lift; in brackets the units of a swinging one, about its pivot.
 
     ``inertia`` kg (kg m2); ``rate`` of the spring N/m (N m/rad) and ``preload`` N (N m) at the lift 0; ``load`` N (N
@@ -64,7 +64,7 @@ class Loads:
     load: float | Load = 0.0
     joins: Sequence[float] = ()
 
-    def along(self, look: Look, omega: float) -> Jet:
+    def along(self, look: DiscJets, omega: float) -> Jet:
         """The force along the lift (N or N m) that the cam must give at a speed (rad/s), positive away from it."""
         moved = look.lift.rate().rate() * (self.inertia * omega**2) + look.lift * self.rate + self.preload
         return moved + (self.load(look) if callable(self.load) else self.load)
@@ -84,18 +84,18 @@ class Bearing:
 
 
 @dataclass(frozen=True)
-class Forces:
+class CamForces:
     """A cam under load at a speed ``omega`` (rad/s). ``theta`` (n,) are cam angles, both sides of each join among them.
 
     With a ``second`` side the follower is closed by form and the contact forces of both are never negative; without it
     the cam only pushes, and where the contact force is negative, the follower lifts off.
     """
 
-    first: Side
-    loads: Loads
+    first: ContactPlace
+    loads: FollowerLoads
     omega: float
     theta: Array
-    second: Side | None = None
+    second: ContactPlace | None = None
 
     @cached_property
     def disc(self) -> Disc:
@@ -138,21 +138,21 @@ class Forces:
         """The torque (N m) that the shaft must give in the sense in which it turns: (n,)."""
         return self.values(self._torque)
 
-    def _torque(self, look: Look) -> Jet:
+    def _torque(self, look: DiscJets) -> Jet:
         return self.loads.along(look, self.omega) * look.lift.rate()
 
     @cached_property
-    def contact_range(self) -> tuple[Extreme, Extreme]:
+    def contact_range(self) -> tuple[CamExtreme, CamExtreme]:
         """The least and the largest contact force (N) on the first side; negative where it doesn't bear."""
         return extremes(self.disc, self.figure())
 
     @cached_property
-    def second_range(self) -> tuple[Extreme, Extreme] | None:
+    def second_range(self) -> tuple[CamExtreme, CamExtreme] | None:
         """The same of the second side."""
         return None if self.second is None else extremes(self.disc, self.figure(second=True))
 
     @cached_property
-    def torque_range(self) -> tuple[Extreme, Extreme]:
+    def torque_range(self) -> tuple[CamExtreme, CamExtreme]:
         """The least and the largest torque (N m) of the shaft; the least is negative: the follower drives."""
         return extremes(self.disc, self._torque)
 
@@ -209,16 +209,18 @@ class Forces:
         return [after.start for before, after in turn if before.side != after.side]
 
 
-def forces(disc: Disc, loads: Loads, omega: float, steps: int = 360, second: Side | None = None) -> Forces:
+def forces(
+    disc: Disc, loads: FollowerLoads, omega: float, steps: int = 360, second: ContactPlace | None = None
+) -> CamForces:
     """A cam under load at a speed (rad/s), at ``steps`` cam angles and both sides of each join.
 
     ``second`` is the other side of a follower closed by form (:mod:`linkwright.cam.form_closure`). Raises
     :class:`linkwright.cam.contact.NoContact`.
     """
-    first = Side(disc)
+    first = ContactPlace(disc)
     for side in [first] if second is None else [first, second]:
         drivable(side)
-    made = Forces(first, loads, omega, np.empty(0), second)
+    made = CamForces(first, loads, omega, np.empty(0), second)
     ends = [place for start, stop in made.disc.pieces for place in (start, np.nextafter(stop, start))]
     theta = np.union1d(np.linspace(0.0, 2 * np.pi, steps, endpoint=False), ends)
     return replace(made, theta=theta)

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.cam.checks import Limits, worst
+from linkwright.cam.checks import CamLimits, worst
 from linkwright.cam.disc import Disc
 from linkwright.cam.followers import NoFollower
 
@@ -27,7 +27,7 @@ def resized(disc: Disc, lengths: Mapping[str, float]) -> Disc:
     return replace(disc, follower=replace(follower, **lengths))
 
 
-def margin(disc: Disc, limits: Limits, exact: bool = True) -> float:
+def margin(disc: Disc, limits: CamLimits, exact: bool = True) -> float:
     """The least margin of the limits as a share; minus infinity where the follower doesn't reach or locks."""
     try:
         found = worst(disc, limits, exact)
@@ -36,7 +36,7 @@ def margin(disc: Disc, limits: Limits, exact: bool = True) -> float:
     return found if not math.isnan(found) else -math.inf
 
 
-def smallest(disc: Disc, limits: Limits, low: float, high: float, length: str = "base") -> float | None:
+def smallest(disc: Disc, limits: CamLimits, low: float, high: float, length: str = "base") -> float | None:
     """The smallest length within ``low`` .. ``high`` (m) from which on the limits are kept, up to the next failure;
     ``None`` where they are nowhere kept."""
 
@@ -81,7 +81,7 @@ class Feasible:
 
 
 def feasible(
-    disc: Disc, limits: Limits, first: tuple[str, float, float], second: tuple[str, float, float], steps: int = 24
+    disc: Disc, limits: CamLimits, first: tuple[str, float, float], second: tuple[str, float, float], steps: int = 24
 ) -> Feasible:
     """The margins of the limits over two lengths, each ``(name, low, high)``, each looked at roughly."""
     a, b = (np.linspace(low, high, steps + 1) for _, low, high in (first, second))

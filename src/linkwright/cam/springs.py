@@ -15,10 +15,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.cam.contact import Side, drivable, reach, rows
-from linkwright.cam.disc import Disc, Look
+from linkwright.cam.contact import ContactPlace, drivable, reach, rows
+from linkwright.cam.disc import Disc, DiscJets
 from linkwright.cam.extremes import extremes
-from linkwright.cam.loads import Loads
+from linkwright.cam.loads import FollowerLoads
 from linkwright.notation import Jet
 
 Array = NDArray[np.float64]
@@ -39,18 +39,18 @@ class Sized:
     omega: float
 
 
-def least_preload(disc: Disc, loads: Loads, speeds: Speeds, contact: float = 0.0) -> Sized:
+def least_preload(disc: Disc, loads: FollowerLoads, speeds: Speeds, contact: float = 0.0) -> Sized:
     """The least preload (N or N m) at the lift 0 with the given rate that keeps ``contact`` (N) or more; that of
     ``loads`` doesn't count. 0 where none is needed."""
-    drivable(Side(disc))
+    drivable(ContactPlace(disc))
     found = _wanting(disc, replace(loads, preload=0.0), speeds, contact)
     return replace(found, value=max(0.0, found.value))
 
 
-def least_rate(disc: Disc, loads: Loads, speeds: Speeds, contact: float = 0.0) -> Sized | None:
+def least_rate(disc: Disc, loads: FollowerLoads, speeds: Speeds, contact: float = 0.0) -> Sized | None:
     """The least rate (N/m or N m/rad) with the given preload that keeps ``contact`` (N) or more; that of ``loads``
     doesn't count. ``None`` where no rate does, as on the base circle; 0 where none is needed."""
-    drivable(Side(disc))
+    drivable(ContactPlace(disc))
     tried = replace(loads, rate=0.0)
     scale = abs(loads.preload)
     for _ in range(MOST_STEPS):
@@ -65,22 +65,22 @@ def least_rate(disc: Disc, loads: Loads, speeds: Speeds, contact: float = 0.0) -
     return None
 
 
-def line(disc: Disc, loads: Loads, speeds: Speeds, rates: Array, contact: float = 0.0) -> Array:
+def line(disc: Disc, loads: FollowerLoads, speeds: Speeds, rates: Array, contact: float = 0.0) -> Array:
     """The least preload (N or N m) for each of several rates: (n,). What lies above this convex line keeps the follower
     on."""
     return np.array([least_preload(disc, replace(loads, rate=float(rate)), speeds, contact).value for rate in rates])
 
 
-def highest_speed(disc: Disc, loads: Loads, contact: float = 0.0) -> Sized | None:
+def highest_speed(disc: Disc, loads: FollowerLoads, contact: float = 0.0) -> Sized | None:
     """The speed (rad/s) up to which ``contact`` (N) or more is kept from rest on; infinite where always, ``None`` where
     not at rest."""
-    drivable(Side(disc))
+    drivable(ContactPlace(disc))
     if _wanting(disc, loads, (0.0, 0.0), contact).value > CLOSE * abs(loads.preload):
         return None
     if not loads.inertia:
         return Sized(math.inf, 0.0, math.inf)
 
-    def asked(look: Look) -> Jet:
+    def asked(look: DiscJets) -> Jet:
         """The inertia's share of what holds the follower at rest, over w^2."""
         held = loads.along(look, 0.0) - reach(look) * contact
         held = held.maximum(0.0 * held)  # where all is used up, round-off may pull
@@ -92,13 +92,13 @@ def highest_speed(disc: Disc, loads: Loads, contact: float = 0.0) -> Sized | Non
     return Sized(speed, most.theta, speed)
 
 
-def _wanting(disc: Disc, loads: Loads, speeds: Speeds, contact: float) -> Sized:
+def _wanting(disc: Disc, loads: FollowerLoads, speeds: Speeds, contact: float) -> Sized:
     """How much the force along the lift (N or N m) falls short of what ``contact`` (N) needs, at its worst; negative
     where it has more everywhere."""
     found = []
     for omega in sorted(set(speeds)):
 
-        def short(look: Look, omega: float = omega) -> Jet:
+        def short(look: DiscJets, omega: float = omega) -> Jet:
             return reach(look) * contact - loads.along(look, omega)
 
         worst = extremes(loads.over(disc), short)[1]

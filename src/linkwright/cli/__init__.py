@@ -29,13 +29,13 @@ from linkwright.cli.execution import (
     writable,
 )
 from linkwright.cli.streams import failed, interrupted, misused, prepare, read_or_not
-from linkwright.cli.usage import Group, option
+from linkwright.cli.usage import CommandGroup, option
 
 if TYPE_CHECKING:
     from linkwright.app import Examined
 
 
-class Commands(Group):
+class Commands(CommandGroup):
     """The commands; what makes one impossible from the start is told as findings."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:

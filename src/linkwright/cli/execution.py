@@ -81,11 +81,11 @@ def carry_out(
     """Perform the studies of a file, write what comes of them, and tell it."""
     from linkwright import app
     from linkwright.cli import show
-    from linkwright.studies import Site
+    from linkwright.studies import RunContext
 
     folder = out or beside(file)
     with show.working(file, study, quiet=telling.as_json or telling.quiet) as progress, writable(folder):
-        job = app.carry_out(examined, Site(out=folder, runner=runner, progress=progress, fresh=fresh), how)
+        job = app.carry_out(examined, RunContext(out=folder, runner=runner, progress=progress, fresh=fresh), how)
     end_of_job(job, file, telling)
 
 

@@ -15,7 +15,7 @@ FEW = 1000
 """So few in all aren't poses but pieces of work: they are counted."""
 
 
-class Bar:
+class ProgressBar:
     """A progress of poses or other work (see :class:`linkwright.blocks.Progress`), for a ``with``; on standard error.
 
     It shows on a terminal only, unless ``shown`` says yes or no, and only where the work lasts over a second.
@@ -29,7 +29,7 @@ class Bar:
         self._first: int | None = None
         self._total = 0
 
-    def __enter__(self) -> Bar:
+    def __enter__(self) -> ProgressBar:
         return self
 
     def __call__(self, done: int, total: int) -> None:

@@ -17,7 +17,7 @@ from linkwright.app import Bench, Examined, ExportJob, Job, ModesJob
 from linkwright.blocks import Progress as Told
 from linkwright.cli import terminal
 from linkwright.cli.consoles import err, out
-from linkwright.cli.progress import Bar
+from linkwright.cli.progress import ProgressBar
 from linkwright.escape import json_text, line
 from linkwright.findings import Finding
 from linkwright.report.structure_summary import facts
@@ -48,7 +48,7 @@ def working(file: Path, study: str, quiet: bool) -> Iterator[Told | None]:
     text = line(say("cli.working", study=study, file=file))
     with ExitStack() as stack:
         status = stack.enter_context(err.status(escape(text)))
-        bar = stack.enter_context(Bar(text))
+        bar = stack.enter_context(ProgressBar(text))
 
         def told(done: int, total: int) -> None:
             status.stop()

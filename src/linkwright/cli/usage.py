@@ -50,7 +50,7 @@ class Hinted(Helped, click.Command):
             raise click.UsageError(text, ctx) from None
 
 
-class Group(Helped, click.Group):
+class CommandGroup(Helped, click.Group):
     """Commands of which one that isn't there is told with those that may be meant."""
 
     command_class = Hinted

@@ -19,7 +19,7 @@ from pathlib import Path
 from linkwright.compilation.stages import Laws, Uses, assemble, check, desugar, laws, quantities, structure, warnings
 from linkwright.findings import Finding, raise_errors
 from linkwright.kernels import Compiled
-from linkwright.kernels.law import Law
+from linkwright.kernels.law import DriveLaw
 from linkwright.kernels.motions import StatedMotion
 from linkwright.kernels.tables import StatedTable
 from linkwright.model.desugar import Spelled, home
@@ -46,7 +46,7 @@ class Prepared:
         return self.spelled.mechanism
 
     @property
-    def laws(self) -> dict[str, Law]:
+    def laws(self) -> dict[str, DriveLaw]:
         """The law of each drive."""
         return self.stated.drives
 

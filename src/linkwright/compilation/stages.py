@@ -12,7 +12,7 @@ from linkwright.graph import assembly as modes
 from linkwright.graph.assembly import Assembly
 from linkwright.graph.redundant import redundant
 from linkwright.kernels.followers import follower_faults
-from linkwright.kernels.law import Law
+from linkwright.kernels.law import DriveLaw
 from linkwright.kernels.laws import action_tables, drive_laws, values_at
 from linkwright.kernels.motions import StatedMotion, motion_laws
 from linkwright.kernels.starts import moved_starts
@@ -20,12 +20,12 @@ from linkwright.kernels.tables import StatedTable
 from linkwright.model.check import check_names, check_values
 from linkwright.model.desugar import Spelled, spell_out
 from linkwright.model.mechanism import Mechanism
-from linkwright.model.places import Place
+from linkwright.model.places import ExpressionPlace
 from linkwright.model.plausible import implausible
 from linkwright.model.quantities import Quantities
 from linkwright.structure import Structure, Topology, decompose
 
-Uses = Sequence[Place] | Callable[[Mechanism], Sequence[Place]]
+Uses = Sequence[ExpressionPlace] | Callable[[Mechanism], Sequence[ExpressionPlace]]
 """Expressions outside a mechanism that tell the units of what it leaves open, or a function that finds them for one
 whose short forms are spelled out."""
 
@@ -35,7 +35,7 @@ class Laws:
     """The functions that a file states, by name: of ``drives`` over the time, the ``motions`` that these ask, the
     ``tables`` that acting elements ask."""
 
-    drives: dict[str, Law] = field(default_factory=dict)
+    drives: dict[str, DriveLaw] = field(default_factory=dict)
     motions: dict[str, StatedMotion] = field(default_factory=dict)
     tables: dict[str, StatedTable] = field(default_factory=dict)
 

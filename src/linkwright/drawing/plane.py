@@ -42,7 +42,7 @@ STYLE = """
 """How a picture looks; it stands in each picture, since one is written as a file of its own."""
 
 
-class Plane:
+class PicturePlane:
     """Places in a picture of a ``box``; one scale for both axes."""
 
     def __init__(self, box: Bounds, unit: str) -> None:
@@ -56,7 +56,7 @@ class Plane:
         self.high = low + span
 
     @classmethod
-    def of(cls, box: Bounds, unit: str, size: float) -> Plane:
+    def of(cls, box: Bounds, unit: str, size: float) -> PicturePlane:
         """Of a box in m, in a ``unit`` of ``size`` m."""
         low_x, low_y, high_x, high_y = (edge / size for edge in box)
         return cls((low_x, low_y, high_x, high_y), unit)
@@ -93,7 +93,7 @@ def framed_box(boxes: Iterable[Bounds]) -> Bounds:
 
 
 def framed(
-    plane: Plane, shapes: Sequence[str], legend: Sequence[tuple[str, Text]], title: Text, room: float = 0.0
+    plane: PicturePlane, shapes: Sequence[str], legend: Sequence[tuple[str, Text]], title: Text, room: float = 0.0
 ) -> str:
     """The whole: axes, shapes, and the legend ``room`` below them."""
     told, y = "", plane.bottom + 52 + room
@@ -123,7 +123,7 @@ def folded(text: str, room: int) -> Iterator[str]:
     yield line
 
 
-def outline(shape: Any, plane: Plane, size: float) -> str:
+def outline(shape: Any, plane: PicturePlane, size: float) -> str:
     """All rings of a shape, thinned to what can be seen."""
     import shapely
 

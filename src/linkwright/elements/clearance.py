@@ -1,7 +1,8 @@
 """What a kind of joint states of play: where its links may be displaced against each other, and by which force.
 
-A kind gives what is held in it with a stated clearance, as :class:`Held` has it; :class:`OnFlank` is the simplest. Its
-``inner`` joint has the displacements as offsets, ``geometry.play(joint, name)``, which are 0 but for derivatives.
+A kind gives what is held in it with a stated clearance, as :class:`LooseJoint` has it; :class:`OnFlank` is the
+simplest. Its ``inner`` joint has the displacements as offsets, ``geometry.play(joint, name)``, which are 0 but for
+derivatives.
 """
 
 from __future__ import annotations
@@ -33,7 +34,7 @@ Seats = list[tuple[Any, ...]]
 
 
 @dataclass(frozen=True)
-class Stated:
+class StatedClearance:
     """A clearance as a file states it, lengths in m: NaN where one is unsound, ``None`` what isn't given."""
 
     clearance: float
@@ -42,7 +43,7 @@ class Stated:
     in_: str | None = None
 
 
-class Held(Protocol):
+class LooseJoint(Protocol):
     """A link held by another with a clearance (m). ``plays`` are the offsets of the joint by which the graph
     differentiates, ``rows`` what has to be known of each pose."""
 

@@ -15,8 +15,8 @@ from dataclasses import dataclass, field
 from typing import Any, ClassVar, Protocol
 
 from linkwright.elements.entries import JointEntry, make_known
-from linkwright.elements.force import Chart
-from linkwright.elements.joint import Applied, Array, JointGeometry, Placed
+from linkwright.elements.force import SignalChart
+from linkwright.elements.joint import Applied, Array, JointGeometry, LinkPoses
 from linkwright.elements.mover import TRAVEL, TURN, MoverReports, MoverSignals
 from linkwright.expressions import units as u
 from linkwright.expressions.language import Call, Node
@@ -51,7 +51,7 @@ class FollowerGeometry(JointGeometry, Protocol):
         """The place of a link that is put on the pin of one of its points, its clearance included."""
 
 
-class Poses(Placed, Protocol):
+class PoseQuery(LinkPoses, Protocol):
     """What a follower asks for at a pose."""
 
     @property
@@ -73,7 +73,7 @@ class FollowerReports(MoverReports, Protocol):
         """The value of an expression of the entry, in SI."""
 
 
-class Followed(Protocol):
+class FollowedMotion(Protocol):
     """A motion that was followed to its end."""
 
     @property
@@ -175,9 +175,9 @@ class Follower(MoverSignals, ABC):
         return {**(TURN if self.turning else TRAVEL), **effort, **self.extra}
 
     @property
-    def charts(self) -> Sequence[Chart]:
+    def charts(self) -> Sequence[SignalChart]:
         """How its effort and the signals of its contact are shown."""
-        return [Chart("follower", "force", attribute) for attribute in (self.effort, *self.extra)]
+        return [SignalChart("follower", "force", attribute) for attribute in (self.effort, *self.extra)]
 
     @property
     def one_sided(self) -> Mapping[str, int]:
@@ -210,7 +210,7 @@ class Follower(MoverSignals, ABC):
     def riding(self, geometry: FollowerGeometry, motions: Motions) -> Riding:
         """How its value follows from that of its motor; ``geometry`` is at the nominal parameters."""
 
-    def acting(self, name: str, poses: Poses, ratio: Scalar) -> UnitEffort:
+    def acting(self, name: str, poses: PoseQuery, ratio: Scalar) -> UnitEffort:
         """What its effort does, where the value changes by ``ratio`` with the motor's (which counts as ``turned``).
 
         Unless a kind knows where its links touch: by duality. The effort acts at the joint of link and ``on`` and,
@@ -222,7 +222,7 @@ class Follower(MoverSignals, ABC):
             found[link] = found[link].plus(geared) if link in found else geared
         return UnitEffort(found)
 
-    def second(self, name: str, poses: Poses, ratio: Scalar, total: Scalar) -> UnitEffort | None:
+    def second(self, name: str, poses: PoseQuery, ratio: Scalar, total: Scalar) -> UnitEffort | None:
         """The same of its second contact, if it has one."""
         return None
 
@@ -247,7 +247,7 @@ class Follower(MoverSignals, ABC):
         """What is wrong with a motion law where this joint asks it, and in which samples."""
         yield from ()
 
-    def findings(self, run: Followed, path: Path) -> Iterator[Finding]:
+    def findings(self, run: FollowedMotion, path: Path) -> Iterator[Finding]:
         """What is to be told of a motion that was followed; ``path`` is its place in the file."""
         yield from ()
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.elements.entries import NOUNS, ForceEntry, make_known
-from linkwright.elements.joint import Applied, Placed
+from linkwright.elements.joint import Applied, LinkPoses
 from linkwright.elements.mover import MoverReports
 from linkwright.expressions.dimensions import Wanted
 from linkwright.expressions.fields import Expression, Position, Two
@@ -39,7 +39,7 @@ class Use(NamedTuple):
     scope: Scope
 
 
-class Asked(NamedTuple):
+class AskedTable(NamedTuple):
     """A table, or its integral, asked at an argument (bound to SI), such as ``Name("spring.length")``."""
 
     table: str
@@ -63,7 +63,7 @@ class Weight(NamedTuple):
     inertia: Expression | None
 
 
-class Limits(NamedTuple):
+class SignalLimits(NamedTuple):
     """The smallest and the greatest value (length) of a signal ``NAME.attribute`` that a part allows."""
 
     attribute: str
@@ -78,7 +78,7 @@ class Between(NamedTuple):
     look: Literal["coil", "strut"]
 
 
-class Chart(NamedTuple):
+class SignalChart(NamedTuple):
     """A chart of one signal of all elements that have it: its text ``plot.title``, among which others it stands."""
 
     title: str
@@ -93,7 +93,7 @@ class Misfit(NamedTuple):
     force: bool
 
 
-class ForceContext(Placed, Protocol):
+class ForceContext(LinkPoses, Protocol):
     """What a kind asks for at a pose."""
 
     def value(self, expression: Expression, dimension: Dimension) -> Scalar:
@@ -155,7 +155,7 @@ class ForceKind(ABC, Generic[E]):
     """The derivatives of the motion that its wrenches need."""
     orders: ClassVar[Mapping[str, int]] = {}
     """The same of its signals, where they need others."""
-    charts: ClassVar[Sequence[Chart]] = ()
+    charts: ClassVar[Sequence[SignalChart]] = ()
     """How its signals are shown."""
     words: ClassVar[Mapping[str, Mapping[str, str]]] = {}
     """Texts that the catalogue lacks, by language and key; ``term.kind-NAME`` is what it is called."""
@@ -206,7 +206,7 @@ class ForceKind(ABC, Generic[E]):
         """Signals of other elements on which it depends, besides those in its laws."""
         return ()
 
-    def asked(self, name: str, entry: E) -> tuple[Asked, ...]:
+    def asked(self, name: str, entry: E) -> tuple[AskedTable, ...]:
         """The tables that it asks, besides those in its laws."""
         return ()
 
@@ -264,7 +264,7 @@ class ForceKind(ABC, Generic[E]):
 
     # What is told of it.
 
-    def limits(self, entry: E) -> Limits | None:
+    def limits(self, entry: E) -> SignalLimits | None:
         """The values of a signal beyond which the part can't go; a run beyond has a warning."""
         return None
 

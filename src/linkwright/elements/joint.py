@@ -16,7 +16,7 @@ from typing import Any, ClassVar, Literal, NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.elements.clearance import Held, Stated
+from linkwright.elements.clearance import LooseJoint, StatedClearance
 from linkwright.elements.entries import JointEntry, make_known
 from linkwright.expressions.written import FaultWithin
 from linkwright.findings import Term
@@ -143,7 +143,7 @@ class JointGeometry(Protocol):
         """The same with the clearance included, and the heading's angle (rad)."""
 
     def play(self, joint: str, name: str) -> Scalar:
-        """The offset of a joint of that name (see :class:`Held`), in SI."""
+        """The offset of a joint of that name (see :class:`LooseJoint`), in SI."""
 
     def written(self, value: float, dimension: Any) -> str:
         """A value in SI as the file has such ones, with its unit."""
@@ -155,7 +155,7 @@ class JointGeometry(Protocol):
         """What the joint's kind has fixed at assembly; ``None`` before that."""
 
 
-class Placed(Protocol):
+class LinkPoses(Protocol):
     """The links as they lie at a pose, with rates; numbers or symbols, in SI."""
 
     @property
@@ -167,7 +167,7 @@ class Placed(Protocol):
         """The links by name."""
 
 
-class Contact(Protocol):
+class ContactReaction(Protocol):
     """Where a reaction acts: ``link`` on ``on`` (a link, or the pin where three or more meet)."""
 
     @property
@@ -292,12 +292,14 @@ class JointKind(ABC):
         of other dimensions too."""
         raise NotImplementedError
 
-    def play(self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: Stated) -> Sequence[Held]:
+    def play(
+        self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: StatedClearance
+    ) -> Sequence[LooseJoint]:
         """Of a kind with ``plays`` what is held in a joint, on its ``links``, with a clearance without faults."""
         raise NotImplementedError
 
     def play_faults(
-        self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: Stated
+        self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: StatedClearance
     ) -> Iterator[FaultWithin]:
         """What is wrong with a clearance."""
         yield from ()
@@ -326,7 +328,7 @@ class JointKind(ABC):
         """The constraints on velocities, each a sum that vanishes."""
 
     @abstractmethod
-    def applied(self, reports: JointReports, contact: Contact) -> Applied:
+    def applied(self, reports: JointReports, contact: ContactReaction) -> Applied:
         """What a reported reaction does: (link, force on it in N, place, moment)."""
 
 

@@ -9,10 +9,10 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from linkwright.elements.clearance import Axis, Known, Rows, Seats, Stated
+from linkwright.elements.clearance import Axis, Known, Rows, Seats, StatedClearance
 from linkwright.elements.joint import (
     Array,
-    Contact,
+    ContactReaction,
     JointGeometry,
     JointKind,
     JointReports,
@@ -157,14 +157,14 @@ class Revolute(JointKind):
         a, b = links
         return InnerPin(geometry.pinned_place(joint, a), geometry.pinned_place(joint, b))
 
-    def play(self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: Stated) -> list[OnPin]:
+    def play(self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: StatedClearance) -> list[OnPin]:
         """Of two links the second on the first; of more each on the pin, but the one in which it is fixed."""
         if len(links) == 2:
             return [OnPin(joint, (links[0], links[1]), stated.clearance)]
         return [OnPin(joint, (joint, link), stated.clearance) for link in links if link != stated.in_]
 
     def play_faults(
-        self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: Stated
+        self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: StatedClearance
     ) -> Iterator[FaultWithin]:
         if stated.in_ is not None and stated.in_ not in links:
             yield "clearance.not-on-pin", {"name": joint, "link": stated.in_, "links": ", ".join(links)}, "in"
@@ -190,7 +190,7 @@ class Revolute(JointKind):
         axes = [np.repeat([[x], [y]], place.shape[1], axis=1) for x, y in ((1.0, 0.0), (0.0, 1.0))]
         return [[Rate(link, 1.0, place, axis), Rate(first, -1.0, place, axis)] for link in others for axis in axes]
 
-    def applied(self, reports: JointReports, contact: Contact) -> tuple[str, Array, Array, Array | float]:
+    def applied(self, reports: JointReports, contact: ContactReaction) -> tuple[str, Array, Array, Array | float]:
         # Reported is the force of the link on the pin; the pin answers with the opposite.
         place = reports.at(contact.link, reports.geometry.pin_point(contact.joint, contact.link))
         return contact.link, -reports.reaction(contact)[0], place, 0.0

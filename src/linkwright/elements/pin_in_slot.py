@@ -19,11 +19,11 @@ from typing import Annotated, Any, ClassVar, Literal
 import numpy as np
 from pydantic import BeforeValidator, Field
 
-from linkwright.elements.clearance import OnFlank, Stated
+from linkwright.elements.clearance import OnFlank, StatedClearance
 from linkwright.elements.entries import JointEntry
 from linkwright.elements.joint import (
     Array,
-    Contact,
+    ContactReaction,
     Inner,
     JointGeometry,
     JointKind,
@@ -73,7 +73,7 @@ class Arc(Frozen):
     )
 
 
-class Curve(Frozen):
+class SlotCurve(Frozen):
     """A slot through places over a line: natural cubic spline."""
 
     along: Annotated[LineOn, _IN_SLOT] = Field(
@@ -102,7 +102,7 @@ class PinInSlotEntry(JointEntry):
         None, description="a straight slot: a line of the second link, e.g. C at 0 deg"
     )
     arc: Arc | None = Field(None, description="a slot along a circular arc")
-    curve: Curve | None = Field(None, description="a slot through places over a line")
+    curve: SlotCurve | None = Field(None, description="a slot through places over a line")
     flank: Literal["both", "left", "right"] = Field(
         "both", description="the flank on which the pin bears; left and right as seen along the travel"
     )
@@ -154,7 +154,7 @@ class PinInSlotEntry(JointEntry):
 
 
 @dataclass(frozen=True)
-class Straight:
+class StraightSlot:
     """The x axis."""
 
     def gap(self, x: Jet, y: Jet) -> Jet:
@@ -171,7 +171,7 @@ class Straight:
 
 
 @dataclass(frozen=True)
-class Circle:
+class CircularSlot:
     """A circle about the origin; the travel counts from the x axis."""
 
     radius: Scalar
@@ -191,14 +191,14 @@ class Circle:
 
 
 @dataclass(frozen=True)
-class Spline:
+class SplineSlot:
     """A height over the x axis: pieces a + b t + c t^2 + d t^3, t from each knot on; straight beyond the ends."""
 
     knots: Sequence[Scalar]
     pieces: Sequence[tuple[Scalar, Scalar, Scalar, Scalar]]
 
     @classmethod
-    def through(cls, places: Sequence[tuple[Scalar, Scalar]]) -> Spline:
+    def through(cls, places: Sequence[tuple[Scalar, Scalar]]) -> SplineSlot:
         """The natural cubic spline through places (x, y) in ascending x, by elimination: numbers or symbols alike."""
         x, y = ([place[k] for place in places] for k in (0, 1))
         last = len(x) - 1
@@ -258,7 +258,7 @@ class Spline:
         return Pair(-slope / size, 1.0 / size)
 
 
-Slot = Straight | Circle | Spline
+Slot = StraightSlot | CircularSlot | SplineSlot
 
 
 @dataclass(frozen=True)
@@ -300,7 +300,7 @@ class PinInSlot(JointKind):
         base, heading, slot = _slot(geometry, entry, b)
         return InnerSlot(geometry.point(a, entry.pin), base, heading, slot, geometry.play(joint, "across"))
 
-    def play(self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: Stated) -> list[OnFlank]:
+    def play(self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: StatedClearance) -> list[OnFlank]:
         """The pin in the slot, to the left: on the flank on which it is pressed, or which alone it has."""
         (a, b), one_sided = links, geometry.mechanism.joints[joint].one_sided
         flank = -one_sided.get("force", 0)  # the signal is the slot's force on the pin, which acts with the opposite
@@ -328,11 +328,11 @@ class PinInSlot(JointKind):
         entry = geometry.mechanism.joints[joint]
         base, heading, slot = _slot(geometry, entry, entry.links[1])
         s = np.linspace(low, high, 65)
-        if isinstance(slot, Circle):
+        if isinstance(slot, CircularSlot):
             turn = s / float(slot.radius)
             x, y = float(slot.radius) * np.cos(turn), float(slot.radius) * np.sin(turn)
         else:
-            x, y = s, np.zeros(s.size) if isinstance(slot, Straight) else np.asarray(slot.height(Jet([s])).d[0])
+            x, y = s, np.zeros(s.size) if isinstance(slot, StraightSlot) else np.asarray(slot.height(Jet([s])).d[0])
         c, n = (np.array([[float(v.x)], [float(v.y)]]) for v in (heading, heading.perp))
         return [(entry.links[1], np.array([[float(base.x)], [float(base.y)]]) + c * x + n * y)]
 
@@ -346,7 +346,7 @@ class PinInSlot(JointKind):
         a, b = links
         return [[Rate(a, 1.0, place, normal), Rate(b, -1.0, place, normal)]]
 
-    def applied(self, reports: JointReports, contact: Contact) -> tuple[str, Array, Array, Array | float]:
+    def applied(self, reports: JointReports, contact: ContactReaction) -> tuple[str, Array, Array, Array | float]:
         # Reported is the force of the link on the other; what it gets is the opposite, along the normal alone.
         place, normal, _ = _seen(reports, contact.joint)
         force = -np.asarray(reports.reaction(contact)[0])
@@ -357,12 +357,16 @@ def _slot(geometry: JointGeometry, entry: PinInSlotEntry, link: str) -> tuple[Pa
     """The origin and the direction of a slot's axes on its link, and its shape there."""
     if entry.arc is not None:
         heading = unit_vector(geometry.number(entry.arc.start, u.ANGLE))
-        return geometry.point(link, entry.arc.centre), heading, Circle(geometry.number(entry.arc.radius, u.LENGTH))
+        return (
+            geometry.point(link, entry.arc.centre),
+            heading,
+            CircularSlot(geometry.number(entry.arc.radius, u.LENGTH)),
+        )
     base, heading = geometry.point(link, entry.axis.point), unit_vector(geometry.number(entry.axis.angle, u.ANGLE))
     if entry.curve is None:
-        return base, heading, Straight()
+        return base, heading, StraightSlot()
     places = [(geometry.number(x, u.LENGTH), geometry.number(y, u.LENGTH)) for x, y in entry.curve.through]
-    return base, heading, Spline.through(places)
+    return base, heading, SplineSlot.through(places)
 
 
 def _seen(reports: JointReports, joint: str) -> tuple[Array, Array, Array]:

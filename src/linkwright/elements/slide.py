@@ -9,10 +9,10 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from linkwright.elements.clearance import Axis, Known, Rows, Seats, Stated
+from linkwright.elements.clearance import Axis, Known, Rows, Seats, StatedClearance
 from linkwright.elements.joint import (
     Array,
-    Contact,
+    ContactReaction,
     JointGeometry,
     JointKind,
     JointReports,
@@ -181,7 +181,7 @@ class Prismatic(JointKind):
         a, b = links
         return InnerLine(*geometry.seat(joint, a)[:2], *geometry.seat(joint, b)[:2])
 
-    def play(self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: Stated) -> list[InGuide]:
+    def play(self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: StatedClearance) -> list[InGuide]:
         assert stated.length is not None
         (first, second), foot = links, geometry.mechanism.joints[joint].line[1].point
         heading = geometry.line(joint, first)[1]
@@ -189,7 +189,7 @@ class Prismatic(JointKind):
         return [InGuide(joint, (first, second), stated.clearance, stated.length, centre, foot, direction)]
 
     def play_faults(
-        self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: Stated
+        self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: StatedClearance
     ) -> Iterator[FaultWithin]:
         if stated.length is None:
             yield "clearance.no-length", {"name": joint}
@@ -215,7 +215,7 @@ class Prismatic(JointKind):
         normal = np.array([-along[1], along[0]])
         return [[Rate(b, 1.0, place, normal), Rate(a, -1.0, place, normal)], [Rate(b, 1.0), Rate(a, -1.0)]]
 
-    def applied(self, reports: JointReports, contact: Contact) -> tuple[str, Array, Array, Array | float]:
+    def applied(self, reports: JointReports, contact: ContactReaction) -> tuple[str, Array, Array, Array | float]:
         force, moment = reports.reaction(contact)
         place, _ = reports.line(contact.joint, reports.geometry.mechanism.joints[contact.joint].links[1])
         return contact.on, force, place, moment

@@ -16,14 +16,14 @@ from linkwright.elements.entries import ForceEntry
 from linkwright.elements.fields import PART_LENGTH, Interval, TwoLinks
 from linkwright.elements.force import (
     Array,
-    Asked,
+    AskedTable,
     Between,
-    Chart,
     ForceContext,
     ForceKind,
     ForceReports,
-    Limits,
     Misfit,
+    SignalChart,
+    SignalLimits,
     Use,
     register,
 )
@@ -171,9 +171,9 @@ class Springs(ForceKind[Spring]):
     stores = True
     orders = {"length": 0, "angle": 0, "energy": 0}
     charts = (
-        Chart("spring_length", "motion", "length"),
-        Chart("spring_force", "force", "force"),
-        Chart("spring_torque", "force", "torque"),
+        SignalChart("spring_length", "motion", "length"),
+        SignalChart("spring_force", "force", "force"),
+        SignalChart("spring_torque", "force", "torque"),
     )
 
     def signals(self, entry: Spring) -> Mapping[str, Dimension]:
@@ -195,9 +195,9 @@ class Springs(ForceKind[Spring]):
             key, one, value = ("torque", "1 rad", u.TORQUE) if entry.torsional else ("force", "1 m", u.FORCE)
             yield Use(key, Expression(f"{entry.table}({one})"), value, Scope.TIME)
 
-    def asked(self, name: str, entry: Spring) -> tuple[Asked, ...]:
+    def asked(self, name: str, entry: Spring) -> tuple[AskedTable, ...]:
         argument = Signal(f"{name}.{entry.measure}")
-        return tuple(Asked(entry.table, argument, integral) for integral in (False, True)) if entry.table else ()
+        return tuple(AskedTable(entry.table, argument, integral) for integral in (False, True)) if entry.table else ()
 
     def turned(self, entry: Spring) -> tuple[str, str] | None:
         return (str(entry.turns), str(entry.on)) if entry.torsional else None
@@ -252,8 +252,8 @@ class Springs(ForceKind[Spring]):
 
     # What is told of it.
 
-    def limits(self, entry: Spring) -> Limits | None:
-        return None if entry.length is None else Limits("length", entry.length)
+    def limits(self, entry: Spring) -> SignalLimits | None:
+        return None if entry.length is None else SignalLimits("length", entry.length)
 
     def distance(self, entry: Spring) -> str:
         return "" if entry.torsional else "length"

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.enclosures.forms import FEW, UNIT, Form, joined
+from linkwright.enclosures.forms import FEW, UNIT, AffineForm, joined
 from linkwright.notation.harmonics import ORDERS, WEIGHTS, basis
 
 Array = NDArray[np.float64]
@@ -32,7 +32,7 @@ HUGE = 1e200
 """Coefficients without bound count as this, so that no sum of them is without value."""
 STEPS = 6
 """Steps of Newton's method, at the cell's middle."""
-Local = Callable[[Rows, Array], list[Form]]
+Local = Callable[[Rows, Array], list[AffineForm]]
 """Some polynomials (n,) at angles (n,): their values and first derivatives."""
 
 
@@ -48,7 +48,7 @@ class Stretches:
     most: Rows
     middle: Array
     half: Array
-    room: Form
+    room: AffineForm
 
     def some(self, which: Rows | Mask) -> Stretches:
         """Some of them."""
@@ -94,7 +94,7 @@ class Polynomials:
     :mod:`linkwright.notation.harmonics`, and what they are at any (``local``). Both are used, as a polynomial is often
     small where it is looked at."""
 
-    def __init__(self, values: list[Form], local: Local) -> None:
+    def __init__(self, values: list[AffineForm], local: Local) -> None:
         self._local = local
         rows = [np.broadcast_arrays(one.value, one.u, one.v, one.rest, one.reach) for one in values]
         value, u, v, rest, reach = (np.stack(row).astype(float) for row in zip(*rows, strict=True))
@@ -115,7 +115,7 @@ class Polynomials:
         for k in range(len(found), TERMS):
             row = basis(phi, k)
             value, u, v = ((row * part[:, of]).sum(axis=0) for part in (self.value, self.u, self.v))
-            found.append(Form(value, u, v, (np.abs(row) * self.rest[:, of]).sum(axis=0) + FEW * self.most[k][of]))
+            found.append(AffineForm(value, u, v, (np.abs(row) * self.rest[:, of]).sum(axis=0) + FEW * self.most[k][of]))
         return _About(found, self.most[TERMS][of])
 
     def stretches(self) -> tuple[Rows, Array, Array]:
@@ -163,7 +163,7 @@ _MIDDLES = (2 * np.arange(PANELS) + 1) * np.pi / PANELS - np.pi
 class _About:
     """Polynomials about angles: their derivatives there from the 0th on, and what bounds the next anywhere."""
 
-    def __init__(self, derivatives: list[Form], most: Array) -> None:
+    def __init__(self, derivatives: list[AffineForm], most: Array) -> None:
         self.derivatives, self.most = derivatives, most
         self.rest = [one.lean + one.rest for one in derivatives]
         self.size = [one.reach + one.rest for one in derivatives]
@@ -195,7 +195,7 @@ class _Told:
         self._two = bent & (ends[0] == self.sign)
         self.vague = ~monotone & ~bent
 
-    def _made(self, which: Rows, most: int, middle: Array, half: Array, room: Form) -> Stretches:
+    def _made(self, which: Rows, most: int, middle: Array, half: Array, room: AffineForm) -> Stretches:
         of, low, high = self.of[which], self.low[which], self.high[which]
         return Stretches(of, low, high, np.full(which.size, most), middle, half, room)
 
@@ -205,7 +205,7 @@ class _Told:
     def single(self) -> Stretches:
         """Stretches with one zero."""
         which = np.flatnonzero(self._one)
-        return self._made(which, 1, *self._ends(which), Form(np.ones(which.size)))
+        return self._made(which, 1, *self._ends(which), AffineForm(np.ones(which.size)))
 
     def double(self) -> Stretches:
         """Stretches with one extremum, that may lie beyond zero."""
@@ -220,7 +220,7 @@ class _Told:
         steep = (slope.reach + slope.rest) * (1 + FEW)
         # The extremum lies beyond the value here by no more than this.
         beyond = steep**2 / (2 * bend) * (1 + FEW)
-        room = here * Form(-sign) + Form(beyond / 2, rest=beyond / 2 * (1 + FEW))
+        room = here * AffineForm(-sign) + AffineForm(beyond / 2, rest=beyond / 2 * (1 + FEW))
         top = room.ends[1]
         # The parabola of the least bend lies within the polynomial.
         far = (steep + np.sqrt(steep**2 + 2 * bend * np.maximum(top, 0.0))) / bend * (1 + FEW)
@@ -231,22 +231,22 @@ class _Told:
     def whole(self, vague: Mask) -> Stretches:
         """Stretches of which nothing is known."""
         which = np.flatnonzero(vague)
-        unknown = Form(np.zeros(which.size), rest=np.full(which.size, np.inf))
+        unknown = AffineForm(np.zeros(which.size), rest=np.full(which.size, np.inf))
         return self._made(which, 0, *self._ends(which), unknown)
 
 
-def turned(phi: Array, away: Form) -> tuple[Form, Form]:
+def turned(phi: Array, away: AffineForm) -> tuple[AffineForm, AffineForm]:
     """Cosine and sine of angles ``phi`` + ``away``, by Taylor's formula."""
     most = (away.reach + away.rest) * (1 + FEW)
     wide, most = most > 1.0, np.minimum(most, 1.0)
-    cosine = Form(1.0) + away.square() * Form(-0.5)
+    cosine = AffineForm(1.0) + away.square() * AffineForm(-0.5)
     cosine.rest = cosine.rest + most**4 / 24
-    sine = Form(away.value, away.u, away.v, away.rest + most**3 / 6)
-    c, s = (Form(part, rest=UNIT) for part in (np.cos(phi), np.sin(phi)))
+    sine = AffineForm(away.value, away.u, away.v, away.rest + most**3 / 6)
+    c, s = (AffineForm(part, rest=UNIT) for part in (np.cos(phi), np.sin(phi)))
     return _within(cosine * c - sine * s, wide), _within(cosine * s + sine * c, wide)
 
 
-def _within(form: Form, wide: Mask) -> Form:
+def _within(form: AffineForm, wide: Mask) -> AffineForm:
     """The form, or where that is ``wide`` all from -1 to 1."""
     value, u, v = (np.where(wide, 0.0, part) for part in (form.value, form.u, form.v))
-    return Form(value, u, v, np.where(wide, 1.0, form.rest))
+    return AffineForm(value, u, v, np.where(wide, 1.0, form.rest))

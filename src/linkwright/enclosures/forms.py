@@ -23,7 +23,7 @@ FEW = 16 * UNIT
 TINY = 1e-290
 
 
-class Form:
+class AffineForm:
     """value + u slope_u + v slope_v, off by no more than rest: arrays of one shape, or numbers."""
 
     def __init__(self, value: Any, u: Any = 0.0, v: Any = 0.0, rest: Any = 0.0) -> None:
@@ -58,34 +58,34 @@ class Form:
             float
         )
 
-    def some(self, which: Any) -> Form:
+    def some(self, which: Any) -> AffineForm:
         """Some of its forms, of which its value has one each."""
-        return Form(*self.parts(self.value.size)[:, which])
+        return AffineForm(*self.parts(self.value.size)[:, which])
 
-    def __neg__(self) -> Form:
-        return Form(-self.value, -self.u, -self.v, self.rest)
+    def __neg__(self) -> AffineForm:
+        return AffineForm(-self.value, -self.u, -self.v, self.rest)
 
-    def __add__(self, other: Form) -> Form:
+    def __add__(self, other: AffineForm) -> AffineForm:
         rest = self.rest + other.rest + FEW * (self.reach + other.reach)
-        return Form(self.value + other.value, self.u + other.u, self.v + other.v, rest)
+        return AffineForm(self.value + other.value, self.u + other.u, self.v + other.v, rest)
 
-    def __sub__(self, other: Form) -> Form:
+    def __sub__(self, other: AffineForm) -> AffineForm:
         rest = self.rest + other.rest + FEW * (self.reach + other.reach)
-        return Form(self.value - other.value, self.u - other.u, self.v - other.v, rest)
+        return AffineForm(self.value - other.value, self.u - other.u, self.v - other.v, rest)
 
-    def __mul__(self, other: Form) -> Form:
+    def __mul__(self, other: AffineForm) -> AffineForm:
         a, b, size = self.value, other.value, self.reach * other.reach
         if self.constant or other.constant:
             one, many = (self, other) if self.constant else (other, self)
             rest = abs(one.value) * many.rest + FEW * size + TINY
             if np.any(one.rest):
                 rest = rest + (many.reach + many.rest) * one.rest
-            return Form(a * b, many.u * one.value, many.v * one.value, rest * (1 + FEW))
+            return AffineForm(a * b, many.u * one.value, many.v * one.value, rest * (1 + FEW))
         rest = self.lean * other.lean + self.reach * other.rest + (other.reach + other.rest) * self.rest
         rest = rest * (1 + FEW) + (FEW * size + TINY)
-        return Form(a * b, a * other.u + b * self.u, a * other.v + b * self.v, rest)
+        return AffineForm(a * b, a * other.u + b * self.u, a * other.v + b * self.v, rest)
 
-    def square(self) -> Form:
+    def square(self) -> AffineForm:
         """Its square."""
         if self.constant:
             return self * self
@@ -93,15 +93,15 @@ class Form:
         half, twice = self.lean * self.lean / 2, 2 * self.value
         rest = half + (2 * self.reach + self.rest) * self.rest
         rest = rest * (1 + FEW) + (FEW * self.reach * self.reach + TINY)
-        return Form(self.value * self.value + half, twice * self.u, twice * self.v, rest)
+        return AffineForm(self.value * self.value + half, twice * self.u, twice * self.v, rest)
 
-    def _along(self, slope: Any, middle: Any, off: Any) -> Form:
+    def _along(self, slope: Any, middle: Any, off: Any) -> AffineForm:
         """The form ``slope`` times it + ``middle``, off by ``off`` besides."""
         value, u, v = slope * self.value + middle, slope * self.u, slope * self.v
         size = abs(slope) * self.reach + abs(middle)
-        return Form(value, u, v, (abs(slope) * self.rest + off) * (1 + FEW) + (FEW * size + TINY))
+        return AffineForm(value, u, v, (abs(slope) * self.rest + off) * (1 + FEW) + (FEW * size + TINY))
 
-    def sqrt(self) -> Form:
+    def sqrt(self) -> AffineForm:
         """The square root where it is real; what it says elsewhere means nothing."""
         low, high = (np.maximum(end, 0.0) for end in self.ends)
         # The chord and the tangent along it: the root lies between, their middle is the best line.
@@ -110,7 +110,7 @@ class Form:
         chord, tangent = a * b / both, both / 4
         return self._along(1.0 / both, (chord + tangent) / 2, (tangent - chord) / 2 + FEW * b)
 
-    def inverse(self) -> Form:
+    def inverse(self) -> AffineForm:
         """Its reciprocal; of a range that holds 0 without bound."""
         low, high = self.ends
         good = (low > 0) | (high < 0)
@@ -121,18 +121,18 @@ class Form:
         slope, middle = np.where(good, -1.0 / (a * b), 0.0), np.where(good, sign * (chord + tangent) / 2, 0.0)
         return self._along(slope, middle, np.where(good, (chord - tangent) / 2 + FEW / a, np.inf))
 
-    def __truediv__(self, other: Form) -> Form:
+    def __truediv__(self, other: AffineForm) -> AffineForm:
         return self * other.inverse()
 
-    def magnitude(self) -> Form:
+    def magnitude(self) -> AffineForm:
         """Its magnitude."""
         low, high = self.ends
         known, sign = (low >= 0) | (high <= 0), np.where(low >= 0, 1.0, -1.0)
         most = np.maximum(abs(low), abs(high)) / 2
         parts = ((sign * self.value, most), (sign * self.u, 0.0), (sign * self.v, 0.0), (self.rest, most * (1 + FEW)))
-        return Form(*(np.where(known, one, other) for one, other in parts))
+        return AffineForm(*(np.where(known, one, other) for one, other in parts))
 
 
-def joined(forms: list[Form]) -> Form:
+def joined(forms: list[AffineForm]) -> AffineForm:
     """Several arrays of forms as one."""
-    return Form(*np.concatenate([one.parts(one.value.size) for one in forms], axis=1))
+    return AffineForm(*np.concatenate([one.parts(one.value.size) for one in forms], axis=1))

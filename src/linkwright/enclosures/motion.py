@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.enclosures.clusters import Solved
+from linkwright.enclosures.higher_groups import EnclosedGroup
 from linkwright.enclosures.panels import MARGIN, Panels
 from linkwright.enclosures.program import Stage, taylor
 from linkwright.enclosures.taylor import TaylorModel, lift
@@ -97,9 +97,9 @@ class Inputs:
         self.answers = {rows[f"table/{i}/{k}"]: (i, k) for i in range(len(graph.actions.lookups)) for k in (0, 1)}
         self.ratios = {rows[f"ratio/{name}/{k}"]: (name, k) for name in graph.actions.followers for k in (0, 1)}
         self.lookups: dict[int, Stage] = {}
-        self.solved: dict[int, Solved] = {}
-        for cluster in self.compiled.structure.clusters:
-            solved = Solved(self.compiled, cluster, dtype)
+        self.solved: dict[int, EnclosedGroup] = {}
+        for higher_group in self.compiled.structure.higher_groups:
+            solved = EnclosedGroup(self.compiled, higher_group, dtype)
             self.solved.update(dict.fromkeys(solved.rows, solved))
 
     def over(self, on: Panels) -> Any:

@@ -13,7 +13,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.enclosures.forms import FEW, TINY, Form
+from linkwright.enclosures.forms import FEW, TINY, AffineForm
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -21,20 +21,20 @@ Mask = NDArray[np.bool_]
 WIDER = 2.0
 """The box is so many times wider than what the line leaves."""
 
-Equations = Callable[[list[Form]], list[Form]]
+Equations = Callable[[list[AffineForm]], list[AffineForm]]
 """The equations and, row by row, their slopes by the unknowns, where these are forms (n,)."""
 
 
-def solved(equations: Equations, unknowns: int, count: int) -> tuple[list[Form], Mask]:
+def solved(equations: Equations, unknowns: int, count: int) -> tuple[list[AffineForm], Mask]:
     """The unknowns, forms (n,), of ``count`` systems; where that is proven, (n,)."""
-    found = equations([Form(np.zeros(count))] * unknowns)
+    found = equations([AffineForm(np.zeros(count))] * unknowns)
     inverse = inverted(_Rows(found[unknowns:], count).value.reshape(unknowns, unknowns, -1))
     with np.errstate(all="ignore"):
         line = _Rows(found[:unknowns], count).times(inverse)
-        away = [Form(-line.value[k], -line.u[k], -line.v[k]) for k in range(unknowns)]
+        away = [AffineForm(-line.value[k], -line.u[k], -line.v[k]) for k in range(unknowns)]
         left = _Rows(equations(away)[:unknowns], count).times(inverse)
         box = WIDER * left.reach
-        found = equations([Form(one.value, one.u, one.v, more) for one, more in zip(away, box, strict=True)])
+        found = equations([AffineForm(one.value, one.u, one.v, more) for one, more in zip(away, box, strict=True)])
         spread = np.stack(
             [_Rows(found[unknowns + k :: unknowns], count).times(inverse).away(k) for k in range(unknowns)]
         )
@@ -43,13 +43,13 @@ def solved(equations: Equations, unknowns: int, count: int) -> tuple[list[Form],
         proven = (image < box).all(axis=0)
         more = (spread * image[:, None]).sum(axis=0) * (1 + FEW)
     rest = left.rest + more
-    return [one - Form(left.value[k], left.u[k], left.v[k], rest[k]) for k, one in enumerate(away)], proven
+    return [one - AffineForm(left.value[k], left.u[k], left.v[k], rest[k]) for k, one in enumerate(away)], proven
 
 
 class _Rows:
     """Forms as arrays (rows, n)."""
 
-    def __init__(self, forms: Sequence[Form], count: int) -> None:
+    def __init__(self, forms: Sequence[AffineForm], count: int) -> None:
         self.value, self.u, self.v, self.rest = np.stack([one.parts(count) for one in forms], axis=1)
 
     @property

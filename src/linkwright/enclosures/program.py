@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.enclosures import intervals
-from linkwright.enclosures.forms import FEW, UNIT, Form
+from linkwright.enclosures.forms import FEW, UNIT, AffineForm
 from linkwright.enclosures.functions import turned
 from linkwright.enclosures.intervals import Intervals
 from linkwright.enclosures.taylor import FUNCTIONS, TaylorModel
@@ -34,29 +34,29 @@ NAMES = [name for name in OPERATIONS if name not in OWN]
 
 
 @dataclass(frozen=True)
-class Kind:
+class EnclosureKind:
     """A kind of enclosure: what each operation does to it, by name, and a number as one."""
 
     functions: Mapping[str, Function]
     number: Callable[[float], Any]
 
 
-def taylor(strict: bool = False, dtype: Any = np.float64) -> Kind:
+def taylor(strict: bool = False, dtype: Any = np.float64) -> EnclosureKind:
     """Taylor models. Angles of vectors run on past pi, from their values in the middle; ``strict`` ones jump there.
     ``dtype`` is what constants are computed with."""
     own: dict[str, Function] = {"reciprocal": lambda a: a.inverse(), "square": lambda a: a * a}
     angle = FUNCTIONS["arctan2"] if strict else turned
     named = {name: FUNCTIONS[name] for name in NAMES}
-    return Kind({**ARITHMETIC, **named, **own, "arctan2": angle}, lambda v: TaylorModel.number(v, dtype=dtype))
+    return EnclosureKind({**ARITHMETIC, **named, **own, "arctan2": angle}, lambda v: TaylorModel.number(v, dtype=dtype))
 
 
-def _constant(function: Function, *args: Form) -> Form:
+def _constant(function: Function, *args: AffineForm) -> AffineForm:
     """A function of parameters alone."""
     if any(np.any(x.lean) for x in args):
         raise NotImplementedError("no enclosure of such a function over boxes")
     found = function(*(Intervals(*x.ends) for x in args))
     middle = (found.low + found.high) / 2
-    return Form(middle, rest=(found.high - found.low) / 2 + UNIT * abs(middle))
+    return AffineForm(middle, rest=(found.high - found.low) / 2 + UNIT * abs(middle))
 
 
 def _power(x: Intervals, y: Intervals) -> Intervals:
@@ -66,18 +66,18 @@ def _power(x: Intervals, y: Intervals) -> Intervals:
     return x ** (int(middle) if whole else y)
 
 
-BOXES = Kind(
+BOXES = EnclosureKind(
     {
         **{name: partial(_constant, intervals.FUNCTIONS[name]) for name in NAMES},
         **ARITHMETIC,
         "power": partial(_constant, _power),
         "arctan2": partial(_constant, intervals.arctan2),
-        "square": Form.square,
-        "sqrt": Form.sqrt,
-        "reciprocal": Form.inverse,
-        "fabs": Form.magnitude,
+        "square": AffineForm.square,
+        "sqrt": AffineForm.sqrt,
+        "reciprocal": AffineForm.inverse,
+        "fabs": AffineForm.magnitude,
     },
-    Form,
+    AffineForm,
 )
 """Linear forms over boxes of the inputs, of what follows from them by sums, products, quotients and roots, as the
 closed forms of dyads do. They hold for the places of a box at which every root is real."""
@@ -86,7 +86,7 @@ closed forms of dyads do. They hold for the places of a box at which every root 
 class Stage:
     """A block of expressions on a kind of enclosures: its ``wanted`` rows, what depends on parameters alone done."""
 
-    def __init__(self, stage: ExpressionStage, p: Array, wanted: Sequence[int], kind: Kind) -> None:
+    def __init__(self, stage: ExpressionStage, p: Array, wanted: Sequence[int], kind: EnclosureKind) -> None:
         self.values: list[Any] = []  # of each number that is made, where it is the same at all times
         self.work: list[tuple[Function, tuple[int, ...], int]] = []
         self.inputs: list[tuple[int, int]] = []  # (number, input row)

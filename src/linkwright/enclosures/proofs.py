@@ -137,7 +137,7 @@ def _proofs(run: Run, claims: Sequence[Claim], edges: Sequence[float], budget: i
     # Most claims are decided in double precision.
     first = _first(run)
     budget = BUDGET * first if budget is None else budget
-    search = _Search(run, Enclosure(run, [claim.node for claim in claims]), claims, edges, zeros, first)
+    search = _PanelSearch(run, Enclosure(run, [claim.node for claim in claims]), claims, edges, zeros, first)
     search.go(budget)
     found = search.proofs()
     # Repeat those that only round-off left open with long doubles, on the open spans alone.
@@ -146,7 +146,7 @@ def _proofs(run: Run, claims: Sequence[Claim], edges: Sequence[float], budget: i
     if not left or not PRECISE or spent >= budget:
         return found
     again = [replace(claims[i], spans=found[i].open) for i in left]
-    search = _Search(run, Enclosure(run, [claim.node for claim in again], True), again, edges, zeros, 1)
+    search = _PanelSearch(run, Enclosure(run, [claim.node for claim in again], True), again, edges, zeros, 1)
     search.go(budget - spent)
     for i, proof in zip(left, search.proofs(), strict=True):
         low, high = min(found[i].low, proof.low), max(found[i].high, proof.high)
@@ -154,7 +154,7 @@ def _proofs(run: Run, claims: Sequence[Claim], edges: Sequence[float], budget: i
     return found
 
 
-class _Search:
+class _PanelSearch:
     def __init__(
         self,
         run: Run,

@@ -11,7 +11,7 @@ from pydantic import BaseModel
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.notation.registry import Registry
-from linkwright.studies import Site
+from linkwright.studies import RunContext
 from linkwright.studies.sections import read_section
 
 
@@ -45,7 +45,7 @@ class Target(Protocol):
     def check(self, compiled: Compiled, options: Any) -> list[Finding]:
         """What is wrong with options that are well-formed, and what of the mechanism the format can't hold."""
 
-    def export(self, compiled: Compiled, options: Any, site: Site) -> Exported:
+    def export(self, compiled: Compiled, options: Any, site: RunContext) -> Exported:
         """The contents of its files. ``site.document`` is the model file, with the options of its studies."""
 
 

@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Callable, Container, Mapping
 from copy import copy
 
-from linkwright.expressions.forms import DimensionError, Equations, Form
+from linkwright.expressions.forms import DimensionError, DimensionForm, Equations
 from linkwright.expressions.language import FUNCTIONS, Binary, Call, Name, Negative, Node, Number, is_signal, nodes
 from linkwright.expressions.system import Unknown
 from linkwright.expressions.units import BASES, PURE, Dimension, UnitError, spelled, unit
@@ -43,32 +43,32 @@ class Dimensions:
         self.declared, self.parameters, self.signals = dict(declared), parameters, signals
         self.equations = Equations()
 
-    def _open(self, node: Name | Call) -> Form:
+    def _open(self, node: Name | Call) -> DimensionForm:
         unknown = self._parameter(node)
-        return self._form(unknown) if unknown else Form(self.signals(node))
+        return self._form(unknown) if unknown else DimensionForm(self.signals(node))
 
-    def _settled(self, node: Name | Call) -> Form:
+    def _settled(self, node: Name | Call) -> DimensionForm:
         unknown = self._parameter(node)
-        return Form(self.of(unknown) if unknown else self.signals(node))
+        return DimensionForm(self.of(unknown) if unknown else self.signals(node))
 
     def _parameter(self, node: Name | Call) -> str | None:
         return node.text if isinstance(node, Name) and node.text in self.parameters else None
 
-    def _open_table(self, node: Call) -> tuple[Form, Form]:
+    def _open_table(self, node: Call) -> tuple[DimensionForm, DimensionForm]:
         return self._form(argument(node.name)), self._form(value(node.name))
 
-    def _settled_table(self, node: Call) -> tuple[Form, Form]:
-        return Form(self.of(argument(node.name))), Form(self.of(value(node.name)))
+    def _settled_table(self, node: Call) -> tuple[DimensionForm, DimensionForm]:
+        return DimensionForm(self.of(argument(node.name))), DimensionForm(self.of(value(node.name)))
 
-    def _form(self, wanted: Wanted) -> Form:
+    def _form(self, wanted: Wanted) -> DimensionForm:
         if isinstance(wanted, Dimension):
-            return Form(wanted)
+            return DimensionForm(wanted)
         known = self.equations.settled(wanted)
-        return Form.of(wanted) if known is None else Form(known)
+        return DimensionForm.of(wanted) if known is None else DimensionForm(known)
 
     def settle(self, unknown: Unknown, dimension: Dimension) -> None:
         """Note that an unknown has this dimension. Raises DimensionError."""
-        self.equations.equate(Form.of(unknown), Form(dimension), Name(str(unknown)))
+        self.equations.equate(DimensionForm.of(unknown), DimensionForm(dimension), Name(str(unknown)))
 
     def use(self, node: Node, place: Wanted) -> None:
         """Note one use: the expression stands where ``place`` is wanted. Raises DimensionError."""
@@ -103,7 +103,7 @@ class Dimensions:
         Raises DimensionError on a conflict or where a unit is needed that isn't declared.
         """
         equations = Equations()
-        wanted = Form.of(_PLACE) if place is None else Form(place)
+        wanted = DimensionForm.of(_PLACE) if place is None else DimensionForm(place)
         floats = equations.read(node, wanted, self._settled, self._settled_table)
 
         def in_si(part: Node) -> Node | None:
@@ -120,7 +120,7 @@ class Dimensions:
     def dimension(self, node: Node) -> Dimension:
         """The dimension that an expression has by itself. Raises DimensionError."""
         equations = Equations()
-        equations.read(node, Form.of(_PLACE), self._settled, self._settled_table)
+        equations.read(node, DimensionForm.of(_PLACE), self._settled, self._settled_table)
         return equations.of(_PLACE)
 
 

@@ -13,7 +13,7 @@ from itertools import count
 from typing import Any
 
 from linkwright.expressions.language import FUNCTIONS, Binary, Call, Name, Negative, Node, Number, evaluate, nodes
-from linkwright.expressions.system import System, Unknown
+from linkwright.expressions.system import DimensionSystem, Unknown
 from linkwright.expressions.trees import is_signal, text_of
 from linkwright.expressions.units import ANGLE, PURE, TIME, Dimension, unit, words_of
 
@@ -32,34 +32,34 @@ class DimensionError(ValueError):
 
 
 @dataclass(frozen=True)
-class Form:
+class DimensionForm:
     """A dimension that is linear in unknown ones: sum of ``unknowns`` x power, plus ``known``."""
 
     known: Dimension = PURE
     unknowns: tuple[tuple[Unknown, Fraction | int], ...] = ()
     turns: bool = False  # holds pi: the power of angle means nothing
 
-    def times(self, other: Form, power: Fraction | int = 1) -> Form:
+    def times(self, other: DimensionForm, power: Fraction | int = 1) -> DimensionForm:
         """The dimension of a product."""
         merged = dict(self.unknowns)
         for name, p in other.unknowns:
             merged[name] = merged.get(name, 0) + power * p
         kept = tuple((name, p) for name, p in merged.items() if p != 0)
-        return Form(self.known.times(other.known, power), kept, self.turns or other.turns)
+        return DimensionForm(self.known.times(other.known, power), kept, self.turns or other.turns)
 
-    def to(self, power: Fraction | int) -> Form:
+    def to(self, power: Fraction | int) -> DimensionForm:
         """The dimension of a power."""
-        return Form().times(self, power)
+        return DimensionForm().times(self, power)
 
     @classmethod
-    def of(cls, unknown: Unknown) -> Form:
+    def of(cls, unknown: Unknown) -> DimensionForm:
         """One unknown by itself."""
         return cls(unknowns=((unknown, 1),))
 
 
-Known = Callable[[Name | Call], Form]
+Known = Callable[[Name | Call], DimensionForm]
 """The form of a name or signal."""
-Tables = Callable[[Call], tuple[Form, Form]]
+Tables = Callable[[Call], tuple[DimensionForm, DimensionForm]]
 """The forms of a table's argument and value."""
 
 
@@ -67,14 +67,14 @@ class Equations:
     """The equations of dimensions read so far, physical ones strictly and the angle's leniently."""
 
     def __init__(self) -> None:
-        self.physical, self.angular = System(), System()
+        self.physical, self.angular = DimensionSystem(), DimensionSystem()
 
-    def read(self, node: Node, place: Form, known: Known, tables: Tables) -> dict[int, Unknown]:
+    def read(self, node: Node, place: DimensionForm, known: Known, tables: Tables) -> dict[int, Unknown]:
         """Note that ``node`` stands where ``place`` is wanted; the unknowns of its floating numbers by id.
 
         Raises DimensionError on a conflict, naming the part of the expression where it arises.
         """
-        reader = _Reader(known, tables)
+        reader = _FormReader(known, tables)
         whole = reader.form(node)
         for left, right, where in reader.sums:
             self.equate(left, right, where, mixed=True)
@@ -83,7 +83,7 @@ class Equations:
         self.equate(whole, place, node)
         return reader.floats
 
-    def equate(self, left: Form, right: Form, where: Node, mixed: bool = False) -> None:
+    def equate(self, left: DimensionForm, right: DimensionForm, where: Node, mixed: bool = False) -> None:
         """Note that two dimensions are one (those of two summands where ``mixed``). Raises DimensionError."""
         if left == right:  # most summands: long sums are read in no time
             return
@@ -105,7 +105,7 @@ class Equations:
         (physical, _), (angular, _) = self.physical.value(unknown), self.angular.value(unknown)
         return Dimension._make([*physical, angular[0]])
 
-    def dimension(self, form: Form) -> Dimension:
+    def dimension(self, form: DimensionForm) -> Dimension:
         """The dimension of a form with what is known of its unknowns."""
         dimension = form.known
         for unknown, power in form.unknowns:
@@ -122,16 +122,16 @@ def _hertz(node: Node) -> str | None:
 
 
 @dataclass
-class _Reader:
+class _FormReader:
     """Reads one expression: gives its form, notes equations, and names each floating number's unknown."""
 
     known: Known
     tables: Tables
-    sums: list[tuple[Form, Form, Node]] = field(default_factory=list)
-    equations: list[tuple[Form, Form, Node]] = field(default_factory=list)
+    sums: list[tuple[DimensionForm, DimensionForm, Node]] = field(default_factory=list)
+    equations: list[tuple[DimensionForm, DimensionForm, Node]] = field(default_factory=list)
     floats: dict[int, Unknown] = field(default_factory=dict)
 
-    def form(self, node: Node) -> Form:
+    def form(self, node: Node) -> DimensionForm:
         if isinstance(node, Binary) and node.op in "+-":
             left, right = self.form(node.left), self.form(node.right)
             self.sums.append((left, right, node))
@@ -140,11 +140,11 @@ class _Reader:
             return self.form(node.of)
         return self.product(node)
 
-    def product(self, node: Node) -> Form:
+    def product(self, node: Node) -> DimensionForm:
         """A term: the product of its factors; with a bare number and otherwise pure, it floats."""
         if isinstance(node, Name):
             return self.name(node)
-        form, bare = Form(), None
+        form, bare = DimensionForm(), None
         for factor, power in _factors(node):
             if _is_bare(factor):
                 bare = bare or (factor if power == 1 else None)
@@ -154,11 +154,11 @@ class _Reader:
             return form
         name: Unknown = ("number", next(_serial))
         self.floats[id(bare)] = name
-        return Form(unknowns=((name, 1),), turns=form.turns)
+        return DimensionForm(unknowns=((name, 1),), turns=form.turns)
 
-    def factor(self, node: Node) -> Form:
+    def factor(self, node: Node) -> DimensionForm:
         if isinstance(node, Number):
-            return Form(unit(node.unit)[1] if node.unit else PURE)
+            return DimensionForm(unit(node.unit)[1] if node.unit else PURE)
         if isinstance(node, Name):
             return self.name(node)
         if isinstance(node, Call):
@@ -167,21 +167,21 @@ class _Reader:
             return self.power(node)
         return self.form(node)
 
-    def name(self, node: Name) -> Form:
+    def name(self, node: Name) -> DimensionForm:
         if node.text == "pi":
-            return Form(turns=True)
-        return Form(TIME) if node.text == "t" else self.known(node)
+            return DimensionForm(turns=True)
+        return DimensionForm(TIME) if node.text == "t" else self.known(node)
 
-    def power(self, node: Binary) -> Form:
+    def power(self, node: Binary) -> DimensionForm:
         exponent = constant(node.right)
         if exponent is not None and not _is_bare(node.left):
             return self.product(node.left).to(exponent)
         if not _is_bare(node.left):
-            self.equations.append((self.form(node.left), Form(), node.left))
-        self.equations.append((self.form(node.right), Form(), node.right))
-        return Form()
+            self.equations.append((self.form(node.left), DimensionForm(), node.left))
+        self.equations.append((self.form(node.right), DimensionForm(), node.right))
+        return DimensionForm()
 
-    def call(self, node: Call) -> Form:
+    def call(self, node: Call) -> DimensionForm:
         function = FUNCTIONS.get(node.name)
         wanted = 1 if function is None else function.arity
         if len(node.args) != wanted:
@@ -193,22 +193,22 @@ class _Reader:
         return _RULES[function.rule](self, [self.form(arg) for arg in node.args], node)
 
 
-def _pure(reader: _Reader, forms: list[Form], node: Call) -> Form:
-    reader.equations += [(form, Form(), arg) for form, arg in zip(forms, node.args, strict=True)]
-    return Form()
+def _pure(reader: _FormReader, forms: list[DimensionForm], node: Call) -> DimensionForm:
+    reader.equations += [(form, DimensionForm(), arg) for form, arg in zip(forms, node.args, strict=True)]
+    return DimensionForm()
 
 
-def _trig(reader: _Reader, forms: list[Form], node: Call) -> Form:
-    reader.equations.append((forms[0], Form(ANGLE), node.args[0]))
-    return Form()
+def _trig(reader: _FormReader, forms: list[DimensionForm], node: Call) -> DimensionForm:
+    reader.equations.append((forms[0], DimensionForm(ANGLE), node.args[0]))
+    return DimensionForm()
 
 
-def _either(a: Form, b: Form) -> Form:
+def _either(a: DimensionForm, b: DimensionForm) -> DimensionForm:
     """The form of two that are alike: the one whose power of angle means something."""
     return b if a.turns and not b.turns else a
 
 
-def _same(reader: _Reader, forms: list[Form], node: Call) -> Form:
+def _same(reader: _FormReader, forms: list[DimensionForm], node: Call) -> DimensionForm:
     form = forms[0]
     for other, arg in zip(forms[1:], node.args[1:], strict=True):
         reader.equations.append((other, form, arg))
@@ -216,23 +216,23 @@ def _same(reader: _Reader, forms: list[Form], node: Call) -> Form:
     return form
 
 
-def _step(reader: _Reader, forms: list[Form], node: Call) -> Form:
+def _step(reader: _FormReader, forms: list[DimensionForm], node: Call) -> DimensionForm:
     x, x0, h0, x1, h1 = forms
     reader.equations += [(x0, x, node.args[1]), (x1, x, node.args[3]), (h1, h0, node.args[4])]
     return _either(h0, h1)
 
 
-def _angle(reader: _Reader, forms: list[Form], node: Call) -> Form:
+def _angle(reader: _FormReader, forms: list[DimensionForm], node: Call) -> DimensionForm:
     _pure(reader, forms, node)
-    return Form(ANGLE)
+    return DimensionForm(ANGLE)
 
 
-def _ratio(reader: _Reader, forms: list[Form], node: Call) -> Form:
+def _ratio(reader: _FormReader, forms: list[DimensionForm], node: Call) -> DimensionForm:
     _same(reader, forms, node)
-    return Form(ANGLE)
+    return DimensionForm(ANGLE)
 
 
-_RULES: dict[str, Callable[[_Reader, list[Form], Call], Form]] = {
+_RULES: dict[str, Callable[[_FormReader, list[DimensionForm], Call], DimensionForm]] = {
     "pure": _pure,
     "trig": _trig,
     "angle": _angle,

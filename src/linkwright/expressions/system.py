@@ -13,7 +13,7 @@ Unknown = str | tuple[str, int]
 
 
 @dataclass
-class System:
+class DimensionSystem:
     """Linear equations over unknown dimensions, eliminated as they come."""
 
     solved: dict[Unknown, tuple[dict[Unknown, Power], list[Power]]] = field(default_factory=dict)

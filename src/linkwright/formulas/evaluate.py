@@ -29,14 +29,14 @@ class DialectError(ValueError):
 
 def value(text: str, t: Array, degrees: bool) -> Array:
     """The value of a text at times ``t``; ``degrees`` says what trigonometric functions count in."""
-    reader = _Reader(text, t, np.pi / 180 if degrees else 1.0)
+    reader = _FormulaParser(text, t, np.pi / 180 if degrees else 1.0)
     found = reader.expression()
     if reader.tokens:
         raise DialectError(f"{reader.tokens[0]!r} in {text!r}")
     return np.broadcast_to(found, t.shape)
 
 
-class _Reader:
+class _FormulaParser:
     def __init__(self, text: str, t: Array, unit: float) -> None:
         self.t, self.unit = t, unit
         self.tokens: list[str] = []

@@ -21,7 +21,7 @@ ROUND_OFF = 1e-15
 """What a coefficient contributes to a value at most where it is left out, over the largest value."""
 
 
-class Function(Protocol):
+class PiecewiseFunction(Protocol):
     """A function of one argument, given by a formula between each two knots, in SI."""
 
     knots: Array

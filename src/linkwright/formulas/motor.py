@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from linkwright.expressions import units as u
 from linkwright.formulas.dialect import line
 from linkwright.formulas.evaluate import value
-from linkwright.formulas.pieces import Piece
+from linkwright.formulas.pieces import FormulaPiece
 from linkwright.formulas.terms import number
 from linkwright.model.quantities import Quantities
 
@@ -23,7 +23,7 @@ LOOKS = (1 - np.cos(np.pi * (np.arange(24) + 0.5) / 24)) / 2
 
 
 @dataclass(frozen=True)
-class Row:
+class MotorPiece:
     """One piece: a text that holds from ``start`` to ``stop``, times in s as text."""
 
     start: str
@@ -32,12 +32,12 @@ class Row:
 
 
 @dataclass(frozen=True)
-class Motor:
+class MotorProgram:
     """A motion as a motor: its pieces in a ``unit`` of this ``size``; the ``error`` of the texts, in the unit."""
 
     unit: str
     size: float
-    rows: tuple[Row, ...]
+    rows: tuple[MotorPiece, ...]
     error: float
 
     @property
@@ -59,15 +59,15 @@ def unit_of(quantities: Quantities, dimension: u.Dimension) -> tuple[str, float]
 
 
 def motor(
-    pieces: Sequence[Piece], unit: tuple[str, float], motion: Callable[[Array], Array], dialect: str, stop: float
-) -> Motor:
+    pieces: Sequence[FormulaPiece], unit: tuple[str, float], motion: Callable[[Array], Array], dialect: str, stop: float
+) -> MotorProgram:
     """The texts of a motion's pieces over 0 .. ``stop`` (s) in a unit; ``motion`` gives its values (SI)."""
     name, size = unit
-    rows = tuple(Row(number(p.start), number(p.stop), line(p.formula, size, dialect, stop)) for p in pieces)
+    rows = tuple(MotorPiece(number(p.start), number(p.stop), line(p.formula, size, dialect, stop)) for p in pieces)
     error = 0.0
     for row in rows:
         t = float(row.start) + LOOKS * (float(row.stop) - float(row.start))
         with np.errstate(all="ignore"):
             off = np.abs(value(row.text, t, dialect == "creo") - motion(t) / size)
         error = max(error, float(np.nan_to_num(off, nan=np.inf).max()))
-    return Motor(name, size, rows, error)
+    return MotorProgram(name, size, rows, error)

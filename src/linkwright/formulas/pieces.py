@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.language import Binary, Call, Node, Number, evaluate
-from linkwright.formulas.functions import Function
+from linkwright.formulas.functions import PiecewiseFunction
 from linkwright.formulas.switches import FORMULAS, SWITCHES
 from linkwright.formulas.terms import MADE, T, affine, called, plain
 from linkwright.notation import Jet
@@ -26,7 +26,7 @@ ZERO = np.zeros(1)
 
 
 @dataclass(frozen=True)
-class Piece:
+class FormulaPiece:
     """A formula in t (a tree, SI) from ``start`` to ``stop`` (s)."""
 
     start: float
@@ -45,20 +45,20 @@ class Unfolding:
 
     stop: float
     parameters: Mapping[str, float]
-    functions: Mapping[str, Function]
+    functions: Mapping[str, PiecewiseFunction]
 
-    def pieces(self, law: Node) -> list[Piece]:
+    def pieces(self, law: Node) -> list[FormulaPiece]:
         """The pieces. Raises :class:`TooManyError`."""
         names: dict[str, Node] = {name: Number(value) for name, value in self.parameters.items()}
         node = plain(law, {**names, "t": T}, self.functions)
-        found: list[Piece] = []
+        found: list[FormulaPiece] = []
         for start, stop in self._between(0.0, self.stop, self._knots(node)):
             opened = self._opened(node, (start + stop) / 2)
             for a, b in self._between(start, stop, self._cases(opened, start, stop)):
                 formula = self._chosen(opened, (a + b) / 2)
                 if found and found[-1].formula == formula:
                     a = found.pop().start
-                found.append(Piece(a, b, formula))
+                found.append(FormulaPiece(a, b, formula))
                 if len(found) > MOST:
                     raise TooManyError
         return found

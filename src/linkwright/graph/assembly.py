@@ -15,8 +15,8 @@ from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.fields import AssemblyRule
 from linkwright.expressions.units import LENGTH
 from linkwright.findings import Finding, ModelError, Term, enumerated
-from linkwright.graph.clusters import assemble_cluster, drawn_phases, only_coordinates
 from linkwright.graph.geometry import Geometry
+from linkwright.graph.higher_groups import assemble_higher_group, drawn_phases, only_coordinates
 from linkwright.graph.motion import Motion, Unknowns, solve_motion
 from linkwright.graph.wedges import Parallel
 from linkwright.groups import Dyad
@@ -24,7 +24,7 @@ from linkwright.model.pins import Pin
 from linkwright.model.quantities import Quantities
 from linkwright.model.sketch import Drawn, drawn_rules
 from linkwright.notation import Jet, Pair
-from linkwright.structure import Cluster, Connection, Group, Structure
+from linkwright.structure import Connection, Group, HigherGroup, Structure
 
 
 class _CannotStart(Exception):
@@ -38,7 +38,7 @@ class Assembly:
 
     branches: dict[Group, float] = field(default_factory=dict)
     rules: dict[Group, str] = field(default_factory=dict)  # the rule that settled each, as the file has it
-    starts: dict[Cluster, list[float]] = field(default_factory=dict)
+    starts: dict[HigherGroup, list[float]] = field(default_factory=dict)
     findings: list[Finding] = field(default_factory=list)
     notes: list[Finding] = field(default_factory=list)
     start: Motion | None = None
@@ -159,39 +159,42 @@ class _Assembler:
                 self.assembly.notes.append(Finding("plausible.mirrored", ("assembly", name), data, severity="note"))
                 return
 
-    def unknowns(self, cluster: Cluster) -> list[float]:
-        """A cluster's coordinates at the start pose: Newton from its sketch. Raises :class:`_CannotStart`."""
+    def unknowns(self, higher_group: HigherGroup) -> list[float]:
+        """A higher group's coordinates at the start pose: Newton from its sketch. Raises :class:`_CannotStart`."""
         every = {n: self.geometry.position(r.sketch) for n, r in self.rules.items() if r.sketch is not None}
-        sketch = {name: place for name, place in every.items() if self.owner(name, cluster.links)}
+        sketch = {name: place for name, place in every.items() if self.owner(name, higher_group.links)}
         self.used |= sketch.keys()
-        self.quantities.phases |= drawn_phases(self.motion, cluster, sketch, self.drives)
-        if not sketch and (found := only_coordinates(self.motion, cluster, self.drives)) is not None:
-            self.assembly.starts[cluster] = found
+        self.quantities.phases |= drawn_phases(self.motion, higher_group, sketch, self.drives)
+        if not sketch and (found := only_coordinates(self.motion, higher_group, self.drives)) is not None:
+            self.assembly.starts[higher_group] = found
             return found
         if not sketch:
-            wanted = [name for pin in self.structure.topology.pins.values() for name in self.unplaced(pin, cluster)]
-            wanted = wanted or self.untied(cluster)
+            wanted = [
+                name for pin in self.structure.topology.pins.values() for name in self.unplaced(pin, higher_group)
+            ]
+            wanted = wanted or self.untied(higher_group)
             data = {"pins": ", ".join(wanted), "first": wanted[0] if wanted else "C"}
-            self.note("assembly.no-sketch", ("assembly",), links=", ".join(cluster.links), **data)
+            self.note("assembly.no-sketch", ("assembly",), links=", ".join(higher_group.links), **data)
             raise _CannotStart
-        found = assemble_cluster(self.motion, cluster, sketch, self.drives)
+        found = assemble_higher_group(self.motion, higher_group, sketch, self.drives)
         if found is None:
-            self.note("assembly.not-found", ("links", cluster.links[0]), links=", ".join(cluster.links))
+            self.note("assembly.not-found", ("links", higher_group.links[0]), links=", ".join(higher_group.links))
             raise _CannotStart
-        self.assembly.starts[cluster] = found
+        self.assembly.starts[higher_group] = found
         return found
 
-    def unplaced(self, pin: Pin, cluster: Cluster) -> list[str]:
-        """The name by which a sketch gives a pin's place, where only links of the cluster, or later ones, are on it."""
-        inside = [point for link, point in pin.members if link in cluster.links]
+    def unplaced(self, pin: Pin, higher_group: HigherGroup) -> list[str]:
+        """The name by which a sketch gives a pin's place, where only links of the higher group, or later ones, are on
+        it."""
+        inside = [point for link, point in pin.members if link in higher_group.links]
         return [] if set(pin.links) & self.motion.bodies.keys() else inside[:1]
 
-    def untied(self, cluster: Cluster) -> list[str]:
-        """The points of a cluster's links that aren't on known links: a sketch of one of them places its link."""
+    def untied(self, higher_group: HigherGroup) -> list[str]:
+        """The points of a higher group's links that aren't on known links: a sketch of one of them places its link."""
         links = self.quantities.mechanism.links
-        placed = self.motion.bodies.keys() - {*cluster.links}
+        placed = self.motion.bodies.keys() - {*higher_group.links}
         known = {point for link in placed for point in links[link].points}
-        return [point for link in cluster.links for point in links[link].points if point not in known]
+        return [point for link in higher_group.links for point in links[link].points if point not in known]
 
     def owner(self, point: str, links: Sequence[str]) -> str | None:
         """The first of some links that carries a point."""

@@ -37,7 +37,7 @@ FOUND = 1e-6
 
 
 @dataclass
-class Curve:
+class CircuitCurve:
     """A followed curve: poses (steps, 3 links) with the drive's values (rad or m) there, in order.
 
     ``dead`` are the drive's values at dead points, ``crossings`` those where two curves cross; ``meets`` the poses at
@@ -74,7 +74,7 @@ class Tracer:
         """Whether the steps that are allowed don't even take one link round."""
         return self.patience * self.longest < 2 * math.pi
 
-    def follow(self, start: Array) -> Curve | None:
+    def follow(self, start: Array) -> CircuitCurve | None:
         """The whole curve through a pose; ``None`` where two curves cross there, so that it has no direction, or where
         it takes too long."""
         try:
@@ -144,9 +144,9 @@ class Tracer:
             raise _Lost
         return there, onward, determinant
 
-    def one_way(self, start: Array, first: Array) -> Curve:
+    def one_way(self, start: Array, first: Array) -> CircuitCurve:
         """The curve from a pose in a direction until it closes, or ends."""
-        curve = Curve(poses=[start], values=[self.system.value(self.drive, start)])
+        curve = CircuitCurve(poses=[start], values=[self.system.value(self.drive, start)])
         z, tangent, h = start, first, self.longest / 4
         _, last = self.tangent(start, first)
         branch = 0
@@ -253,7 +253,7 @@ class Tracer:
             return []
 
 
-def _with_ranges(curve: Curve) -> Curve:
+def _with_ranges(curve: CircuitCurve) -> CircuitCurve:
     """Branch by branch the drive's range; in a closed curve the last branch goes on as the first."""
     values, dead = [*curve.values], curve.dead
     if not dead:
@@ -272,9 +272,9 @@ def _with_ranges(curve: Curve) -> Curve:
     return curve
 
 
-def _joined(back: Curve, forward: Curve) -> Curve:
+def _joined(back: CircuitCurve, forward: CircuitCurve) -> CircuitCurve:
     """The two halves of an open curve as one; branch 0 stays the one of the start."""
-    curve = Curve(False, back.poses[::-1] + forward.poses[1:], back.values[::-1] + forward.values[1:])
+    curve = CircuitCurve(False, back.poses[::-1] + forward.poses[1:], back.values[::-1] + forward.values[1:])
     curve.dead, curve.crossings = back.dead[::-1] + forward.dead, back.crossings[::-1] + forward.crossings
     n = len(back.dead)
     curve.meets = [(p, n - b) for p, b in back.meets] + [(p, n + b) for p, b in forward.meets]

@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class Ride:
+class FollowerRelation:
     """How a follower moves with its ``motor``: ``at`` gives its value (rad or m) and its derivative
     from the motor's value (rad); in steps of ``finest`` (rad) of this no piece of its law is passed over."""
 
@@ -47,7 +47,7 @@ class Constraints:
         self.index = {link: i for i, link in enumerate((*topology.moving, FRAME))}  # the frame last
         self.width = 3 * len(self.links)
         self.held: Mapping[str, float] = {}
-        self.riding: Mapping[str, Ride] = {}
+        self.riding: Mapping[str, FollowerRelation] = {}
         pins: list[tuple[str, str, str, Any, Any]] = []
         for pin in topology.pins.values():
             first = pin.links[0]
@@ -74,7 +74,7 @@ class Constraints:
         """Whose each residual is."""
         return (*self.names, *self.held, *self.riding)
 
-    def hold(self, drives: Mapping[str, float], riding: Mapping[str, Ride] | None = None) -> None:
+    def hold(self, drives: Mapping[str, float], riding: Mapping[str, FollowerRelation] | None = None) -> None:
         """Add the equations of drives at these values (rad or m), and of followers that move with their motors."""
         self.held, self.riding = drives, riding or {}
 

@@ -20,7 +20,7 @@ from linkwright.graph.placing import outer_joint
 from linkwright.groups.linear import Factor
 from linkwright.notation import Body, Pair, Scalar, Wrench
 from linkwright.notation.jets import is_zero
-from linkwright.structure import FRAME, Cluster, Connection, Driven, Edge, Group, Wedge
+from linkwright.structure import FRAME, Connection, Driven, Group, HigherGroup, LinkPlacement, Wedge
 
 
 @dataclass
@@ -112,13 +112,13 @@ class _Solver:
             elif isinstance(step, Wedge):
                 self.wedge(step)
             else:
-                self.cluster(step)
+                self.higher_group(step)
         for (joint, link), wrench in self.carried.items():
             self.react(joint, link, wrench.opposite)
         self.forces.shaking = self.wrenches[FRAME]
         return self.forces
 
-    def drive(self, step: Driven | Edge, twist: Twist) -> None:
+    def drive(self, step: Driven | LinkPlacement, twist: Twist) -> None:
         assert step.drive is not None
         total = self.wrenches[step.link]
         effort = -twist.work(total)
@@ -153,8 +153,8 @@ class _Solver:
         total = self.wrenches[step.link]
         self.hand_on(step.outer[0], step.link, total, total)
 
-    def cluster(self, step: Cluster) -> None:
-        solved, bodies = self.motion.clusters[step], self.motion.bodies
+    def higher_group(self, step: HigherGroup) -> None:
+        solved, bodies = self.motion.higher_groups[step], self.motion.bodies
         actions = solved.balance({link: self.wrenches[link] for link in step.links}, bodies)
         for connection, wrenches in zip(step.closures, actions, strict=True):
             for link, own in zip(connection.links, wrenches, strict=True):

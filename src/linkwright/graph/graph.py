@@ -22,7 +22,7 @@ from linkwright.graph.view import View
 from linkwright.model.quantities import Quantities
 from linkwright.model.signals import Signal
 from linkwright.notation import MAX_ORDER
-from linkwright.structure import Cluster, Structure
+from linkwright.structure import HigherGroup, Structure
 
 
 @dataclass
@@ -63,10 +63,10 @@ class Graph:
     @cached_property
     def motion_inputs(self) -> tuple[str, ...]:
         """Rows of the motion: each drive's value and rates up to one past jerk, the branches, and the
-        coordinates of the clusters, which Newton supplies."""
+        coordinates of the higher groups, which Newton supplies."""
         rows = [f"{drive}:{k}" for drive in self.drives for k in range(self.width)]
         rows += [f"branch:{group.label}" for group in self.branched]
-        return (*rows, *(f"u:{c.label}:{i}" for c in self.structure.clusters for i in range(len(c.free))))
+        return (*rows, *(f"u:{c.label}:{i}" for c in self.structure.higher_groups for i in range(len(c.free))))
 
     @cached_property
     def first_unknown(self) -> int:
@@ -83,18 +83,18 @@ class Graph:
         """The output rows of all moving links' poses: place of the origin (m), cosine and sine, link by link."""
         return tuple(row for link in self.structure.topology.moving for row in BodyPlace.all(link))
 
-    def coordinates(self, cluster: Cluster) -> list[int]:
-        """The input rows of a cluster's coordinates."""
-        return [self.inputs.index(f"u:{cluster.label}:{i}") for i in range(len(cluster.free))]
+    def coordinates(self, higher_group: HigherGroup) -> list[int]:
+        """The input rows of a higher group's coordinates."""
+        return [self.inputs.index(f"u:{higher_group.label}:{i}") for i in range(len(higher_group.free))]
 
-    def closure(self, cluster: Cluster) -> list[Row]:
-        """The output rows of a cluster's closures: what each misses, then its slopes to each coordinate."""
-        n, label = len(cluster.free), cluster.label
+    def closure(self, higher_group: HigherGroup) -> list[Row]:
+        """The output rows of a higher group's closures: what each misses, then its slopes to each coordinate."""
+        n, label = len(higher_group.free), higher_group.label
         return [*(Gap(label, i) for i in range(n)), *(Slope(label, i) for i in range(n * n))]
 
-    def coordinate_rates(self, cluster: Cluster) -> list[CoordinateRate]:
-        """The output rows of the rates of a cluster's coordinates."""
-        return [CoordinateRate(cluster.label, i) for i in range(len(cluster.free))]
+    def coordinate_rates(self, higher_group: HigherGroup) -> list[CoordinateRate]:
+        """The output rows of the rates of a higher group's coordinates."""
+        return [CoordinateRate(higher_group.label, i) for i in range(len(higher_group.free))]
 
     @cached_property
     def parameters(self) -> tuple[str, ...]:
@@ -131,40 +131,45 @@ class Graph:
     def program(self, named: Sequence[Named], rates: bool = False, solve: bool = False) -> Program:
         """The program of some rows; with ``rates``, each followed by its time derivative.
 
-        The inputs have the clusters' coordinates, or with ``solve`` only starts from which the program solves them.
+        The inputs have the higher groups' coordinates, or with ``solve`` only starts from which the program solves
+        them.
         """
         key = (tuple(named), rates, solve)
         if key not in self._programs:
             self._programs[key] = self._build(*key)
         return self._programs[key]
 
-    def solving(self, cluster: Cluster) -> Program:
-        """The program that solves one cluster, from inputs in which the earlier ones stand already."""
-        view, rows = self._view(0), self.coordinates(cluster)
+    def solving(self, higher_group: HigherGroup) -> Program:
+        """The program that solves one higher group, from inputs in which the earlier ones stand already."""
+        view, rows = self._view(0), self.coordinates(higher_group)
         block = ExpressionStage.from_rows(view.x, view.p, [view.x[row] for row in rows])
         names = tuple(self.inputs[row] for row in rows)
-        return Program((self.newton(cluster),), block, self.inputs, self.parameters, names)
+        return Program((self.newton(higher_group),), block, self.inputs, self.parameters, names)
 
-    def newton(self, cluster: Cluster) -> NewtonStage:
-        """The stage that solves a cluster."""
+    def newton(self, higher_group: HigherGroup) -> NewtonStage:
+        """The stage that solves a higher group."""
         view = self._view(0)
-        closure = ExpressionStage.from_rows(view.x, view.p, [row.expression(view) for row in self.closure(cluster)])
-        sliding = tuple(not turns for turns in cluster.turning)
-        return NewtonStage(tuple(self.coordinates(cluster)), closure, tuple(cluster.units(self.size or 1.0)), sliding)
+        closure = ExpressionStage.from_rows(
+            view.x, view.p, [row.expression(view) for row in self.closure(higher_group)]
+        )
+        sliding = tuple(not turns for turns in higher_group.turning)
+        return NewtonStage(
+            tuple(self.coordinates(higher_group)), closure, tuple(higher_group.units(self.size or 1.0)), sliding
+        )
 
     def _solves(self, block: ExpressionStage) -> tuple[NewtonStage, ...]:
         """The Newton stages on which a block depends."""
         kept: list[NewtonStage] = []
         used = block.used[0]
-        for cluster in reversed(self.structure.clusters):
-            if used.intersection(self.coordinates(cluster)):
-                kept.insert(0, self.newton(cluster))
+        for higher_group in reversed(self.structure.higher_groups):
+            if used.intersection(self.coordinates(higher_group)):
+                kept.insert(0, self.newton(higher_group))
                 used |= kept[0].closure.used[0]
         return tuple(kept)
 
     def _build(self, named: tuple[Named, ...], rates: bool, solve: bool) -> Program:
         order, names = self.order(named), self.labels(named)
-        view = self._view(max(order, 1) if rates and self.structure.clusters else order)
+        view = self._view(max(order, 1) if rates and self.structure.higher_groups else order)
         rows = [ca.SX(view.row(one)) for one in named]
         if rates:
             slopes = ca.jtimes(ca.vertcat(*rows), view.x, self.flow(view))
@@ -180,8 +185,8 @@ class Graph:
             rows = range(i * self.width, (i + 1) * self.width)
             flow += [view.x[k + 1] for k in rows[:-1]] + [ca.SX(0)]
         flow += [ca.SX(0)] * len(self.branched)
-        solved = (view.motion.clusters[c] for c in self.structure.clusters)
-        flow += [rates[0] for cluster in solved for rates in cluster.rates]
+        solved = (view.motion.higher_groups[c] for c in self.structure.higher_groups)
+        flow += [rates[0] for higher_group in solved for rates in higher_group.rates]
         return ca.vertcat(*flow, *self.actions.flow(view.given))
 
     @cached_property

@@ -24,10 +24,10 @@ from linkwright.graph.legs import triad
 from linkwright.graph.motion import Motion, known_determinant, solve_step
 from linkwright.graph.program import ExpressionStage, Program
 from linkwright.graph.rows import Radicand
-from linkwright.graph.triads import System, place_links
+from linkwright.graph.triads import TriadSystem, place_links
 from linkwright.model.mechanism import FRAME, Drive, Joint, Link, Mechanism
 from linkwright.notation import Body, Jet, Pair, Scalar
-from linkwright.structure import Cluster, Group, Structure, decompose
+from linkwright.structure import Group, HigherGroup, Structure, decompose
 
 AXES = ("x", "y")
 TRIADS = 1
@@ -52,7 +52,7 @@ class Platform:
 
 
 @dataclass(frozen=True)
-class Closure:
+class DeterminantRow:
     """A row of the inverse: the determinant of one of the mechanism's own groups, whose sign tells the mode."""
 
     group: str
@@ -88,7 +88,7 @@ class Inverse:
     graph: Graph
     structure: Structure
     groups: tuple[Group, ...]
-    triads: tuple[Cluster, ...]
+    triads: tuple[HigherGroup, ...]
 
     @property
     def modes(self) -> tuple[Group, ...]:
@@ -114,12 +114,12 @@ class Inverse:
         return found
 
     @cached_property
-    def rows(self) -> tuple[Radicand | Closure | DriveValue, ...]:
+    def rows(self) -> tuple[Radicand | DeterminantRow | DriveValue, ...]:
         """The rows of the program: rooms (m^2), closures, then of each drive its cosine and sine or its travel (m)."""
         parts = ((drive, ("cos", "sin") if self.turns(drive) else ("travel",)) for drive in self.drives)
         return (
             *(Radicand(group.label) for group in self.groups),
-            *(Closure(group.label) for group in self.modes),
+            *(DeterminantRow(group.label) for group in self.modes),
             *(DriveValue(drive, part) for drive, own in parts for part in own),
         )
 
@@ -128,7 +128,7 @@ class Inverse:
         """The inputs (x and y of the place, the branches, each platform's cosine, sine, x and y), the parameters, the
         rows, and the triads' systems."""
         place, signs = ca.SX.sym("place", 2), [ca.SX.sym(group.label) for group in self.groups]
-        poses = [ca.SX.sym(cluster.label, 4) for cluster in self.triads]
+        poses = [ca.SX.sym(higher_group.label, 4) for higher_group in self.triads]
         values = [ca.SX.sym(name) for name in self.graph.parameters]
         quantities = copy(self.graph.quantities)
         quantities.mechanism = self.structure.topology.mechanism
@@ -136,12 +136,12 @@ class Inverse:
         drives = {axis: Jet([place[k]]) for k, axis in enumerate(AXES)}
         chosen = dict(zip(self.groups, signs, strict=True))
         motion = Motion(self.structure, geometry, 0, {FRAME: Body.fixed(0)})
-        systems: list[System] = []
+        systems: list[TriadSystem] = []
         for step in self.structure.steps:
-            if isinstance(step, Cluster):
+            if isinstance(step, HigherGroup):
                 systems.append(_hung(motion, step, poses[len(systems)]))
             else:
-                solve_step(motion, step, drives, lambda group, _: chosen.get(group, 1.0), _no_clusters)
+                solve_step(motion, step, drives, lambda group, _: chosen.get(group, 1.0), _no_higher_groups)
         rows = ca.vertcat(*map(ca.SX, self._rows(motion)))
         return ca.vertcat(place, *signs, *poses), ca.vertcat(*values), rows, systems
 
@@ -199,19 +199,19 @@ class Inverse:
     def _program(self, rows: Any, names: tuple[str, ...]) -> Program:
         x, p, *_ = self._symbols
         inputs = [*AXES, *(f"branch:{group.label}" for group in self.groups)]
-        inputs += [f"{cluster.label}:{part}" for cluster in self.triads for part in ("cos", "sin", "x", "y")]
+        inputs += [f"{higher_group.label}:{part}" for higher_group in self.triads for part in ("cos", "sin", "x", "y")]
         return Program((), ExpressionStage.from_rows(x, p, [rows]), tuple(inputs), self.graph.parameters, names)
 
 
-def _no_clusters(_: Any) -> list[Scalar]:
+def _no_higher_groups(_: Any) -> list[Scalar]:
     raise AssertionError("no other groups")
 
 
-def _hung(motion: Motion, cluster: Cluster, pose: Any) -> System:
+def _hung(motion: Motion, higher_group: HigherGroup, pose: Any) -> TriadSystem:
     """A triad, its links placed as its platform's pose has it."""
-    shape = triad(motion, cluster, {})
+    shape = triad(motion, higher_group, {})
     assert shape is not None
-    system, (c, s, x, y) = System(motion, shape), (pose[i] for i in range(4))
+    system, (c, s, x, y) = TriadSystem(motion, shape), (pose[i] for i in range(4))
     place_links(motion, system, Body.still(Pair(x, y), system.reference, Pair(c, s)))
     return system
 
@@ -220,14 +220,14 @@ def inverse(graph: Graph, point: str) -> Inverse | None:
     """The mechanism of a graph turned round at one of its points; ``None`` where it falls apart into other groups than
     dyads and one triad, or into none."""
     structure = decompose(carried(graph.structure.topology.mechanism, point))
-    if structure.findings or graph.structure.clusters or len(structure.clusters) > TRIADS:
+    if structure.findings or graph.structure.higher_groups or len(structure.higher_groups) > TRIADS:
         return None
     motion = Motion(structure, Geometry(graph.quantities, {}), 0)
-    shapes = [triad(motion, cluster, {}) for cluster in structure.clusters]
+    shapes = [triad(motion, higher_group, {}) for higher_group in structure.higher_groups]
     if not all(shape is not None and all(any(leg.turning) for leg in shape.legs) for shape in shapes):
         return None
     groups = tuple(group for group in structure.groups if group.modes > 1)
-    return Inverse(graph, structure, groups, structure.clusters)
+    return Inverse(graph, structure, groups, structure.higher_groups)
 
 
 def carried(mechanism: Mechanism, point: str) -> Mechanism:

@@ -14,14 +14,14 @@ from linkwright.graph.motion import Motion
 from linkwright.graph.placing import driven_body, inner_joint, outer_joint
 from linkwright.notation import Body, Jet, Pair, Scalar
 from linkwright.notation.jets import call, is_zero
-from linkwright.structure import Cluster, Connection
+from linkwright.structure import Connection, HigherGroup
 
 Row = tuple[Scalar, Scalar, Scalar]
 Poses = dict[str, Body]
 
 
 @dataclass(frozen=True)
-class Part:
+class RigidPart:
     """Links that drives inside the group hold to each other: one body, in the axes of its first link."""
 
     links: tuple[str, ...]
@@ -40,7 +40,7 @@ class Part:
 class Leg:
     """A leg: its part, the joint on a known link and the one on the platform, and the links at both."""
 
-    part: Part
+    part: RigidPart
     outer: Connection
     inner: Connection
     links: tuple[str, str]  # the leg's link at the outer joint, and at the inner one
@@ -54,37 +54,39 @@ class Leg:
 
 @dataclass(frozen=True)
 class Triad:
-    """A cluster as a platform and three legs."""
+    """A higher group as a platform and three legs."""
 
-    platform: Part
+    platform: RigidPart
     legs: tuple[Leg, Leg, Leg]
 
 
-def parts(motion: Motion, cluster: Cluster, drives: dict[str, Jet]) -> list[Part]:
-    """The cluster's rigid bodies: its links, those held to each other by drives as one."""
+def parts(motion: Motion, higher_group: HigherGroup, drives: dict[str, Jet]) -> list[RigidPart]:
+    """The higher group's rigid bodies: its links, those held to each other by drives as one."""
     groups: list[list[str]] = []
-    for edge in cluster.edges:
+    for edge in higher_group.edges:
         home = next((g for g in groups if edge.base in g), None) if edge.drive is not None else None
         groups.append([edge.link]) if home is None else home.append(edge.link)
     kept = dict(motion.bodies)
     found = []
     for group in groups:
         motion.bodies[group[0]] = Body.fixed(0)
-        for edge in cluster.edges:
+        for edge in higher_group.edges:
             if edge.drive is not None and edge.link in group[1:]:
                 motion.bodies[edge.link] = driven_body(motion, edge, drives[edge.drive])[1]
-        found.append(Part(tuple(group), {link: motion.bodies[link] for link in group}))
+        found.append(RigidPart(tuple(group), {link: motion.bodies[link] for link in group}))
     motion.bodies.clear()
     motion.bodies.update(kept)
     return found
 
 
-def triad(motion: Motion, cluster: Cluster, drives: dict[str, Jet]) -> Triad | None:
-    """The platform and the legs of a cluster; ``None`` where it has another shape."""
-    bodies = parts(motion, cluster, drives)
+def triad(motion: Motion, higher_group: HigherGroup, drives: dict[str, Jet]) -> Triad | None:
+    """The platform and the legs of a higher group; ``None`` where it has another shape."""
+    bodies = parts(motion, higher_group, drives)
     owner = {link: i for i, part in enumerate(bodies) for link in part.links}
     joints = [
-        c for c in (*(e.joint for e in cluster.free), *cluster.closures) if owner.get(c.a, -1) != owner.get(c.b, -2)
+        c
+        for c in (*(e.joint for e in higher_group.free), *higher_group.closures)
+        if owner.get(c.a, -1) != owner.get(c.b, -2)
     ]
     if len(bodies) != 4 or len(joints) != 6 or not all(c.kind.places for c in joints):
         return None
@@ -137,7 +139,7 @@ class Equation:
         raise NotImplementedError
 
 
-class Circle(Equation):
+class CircleLeg(Equation):
     """Two pins: the platform's point keeps its distance from the base."""
 
     def centre(self, c: Scalar, s: Scalar, reference: Pair) -> Pair:
@@ -200,7 +202,7 @@ class Fixed(Equation):
 
 
 EQUATIONS: dict[tuple[bool, bool], type[Equation]] = {
-    (True, True): Circle,
+    (True, True): CircleLeg,
     (False, True): SlideOnBase,
     (True, False): SlideOnPlatform,
     (False, False): Fixed,

@@ -9,10 +9,10 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.graph.circuits import Curve, Tracer
-from linkwright.graph.constraints import Constraints, Ride
+from linkwright.graph.circuits import CircuitCurve, Tracer
+from linkwright.graph.constraints import Constraints, FollowerRelation
 from linkwright.graph.geometry import ZERO
-from linkwright.graph.modes import Explorer, Found, Mode
+from linkwright.graph.modes import Explorer, FoundModes, Mode
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Body, Pair
 from linkwright.structure import FRAME, Structure
@@ -48,7 +48,7 @@ class Survey:
     curves cross.
     """
 
-    found: Found
+    found: FoundModes
     drive: str | None = None
     circuits: list[Circuit] = field(default_factory=list)
     places: list[tuple[int, int] | None] = field(default_factory=list)
@@ -74,7 +74,7 @@ def survey(
     structure: Structure,
     values: Mapping[str, float],
     drive: str | None = None,
-    rides: Mapping[str, Ride] | None = None,
+    rides: Mapping[str, FollowerRelation] | None = None,
 ) -> Survey:
     """All modes at the drives' ``values`` (rad or m), and their circuits as ``drive`` moves and the others are held.
 
@@ -111,7 +111,7 @@ def survey(
     return result
 
 
-def _untold(found: Found) -> None:
+def _untold(found: FoundModes) -> None:
     """Take away the lines of modes that the same lines state: their points are in the same places."""
     told = Counter(mode.lines for mode in found.modes)
     found.modes = [mode if told[mode.lines] == 1 else replace(mode, lines=()) for mode in found.modes]
@@ -129,7 +129,7 @@ def _note(result: Survey, explorer: Explorer, system: Constraints, pose: Array, 
         result.places.append((len(result.circuits), branch))
 
 
-def _circuit(curve: Curve, tracer: Tracer) -> Circuit:
+def _circuit(curve: CircuitCurve, tracer: Tracer) -> Circuit:
     turns = tracer.turns and curve.closed and not curve.dead and abs(curve.values[-1] - curve.values[0]) > 1.0
     return Circuit(curve.closed, turns, tuple(curve.ranges), tuple(curve.crossings))
 

@@ -1,7 +1,7 @@
 """All assembly modes of a mechanism at given values of its drives.
 
 The groups are solved in order; where one can be put together in several ways, each way is followed on. Dyads have
-two modes at most and triads six, all found (:mod:`linkwright.graph.triads`); larger clusters are searched for by
+two modes at most and triads six, all found (:mod:`linkwright.graph.triads`); larger higher groups are searched for by
 Newton's method from many starts, so that some mode may be missed.
 """
 
@@ -16,17 +16,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.units import LENGTH
-from linkwright.graph.clusters import newton, solve_cluster
 from linkwright.graph.geometry import Geometry, extent
 from linkwright.graph.graph import Graph
+from linkwright.graph.higher_groups import newton, solve_higher_group
 from linkwright.graph.legs import triad
 from linkwright.graph.motion import Motion, solve_motion
 from linkwright.graph.search import many_starts
-from linkwright.graph.triads import System, coordinates, read_coordinates
+from linkwright.graph.triads import TriadSystem, coordinates, read_coordinates
 from linkwright.groups import Dyad
 from linkwright.model.quantities import Quantities
 from linkwright.notation import MAX_ORDER, Body, Jet
-from linkwright.structure import FRAME, Cluster, Group, Step, Structure
+from linkwright.structure import FRAME, Group, HigherGroup, Step, Structure
 
 Array = NDArray[np.float64]
 Choice = float | tuple[float, ...]
@@ -47,9 +47,9 @@ class _DeadEnd(Exception):
 class Mode:
     """One way to put the mechanism together.
 
-    ``branches`` of the dyads by label, ``coordinates`` (rad, m) of the clusters by label, ``places`` (m) of all points,
-    ``lines`` of an assembly section that select it: none where only links without a point of their own tell it from
-    another mode. ``singular`` where two modes meet in it.
+    ``branches`` of the dyads by label, ``coordinates`` (rad, m) of the higher groups by label, ``places`` (m) of all
+    points, ``lines`` of an assembly section that select it: none where only links without a point of their own tell it
+    from another mode. ``singular`` where two modes meet in it.
     """
 
     branches: Mapping[str, float]
@@ -61,7 +61,7 @@ class Mode:
 
 
 @dataclass
-class Found:
+class FoundModes:
     """The modes of a mechanism, and the labels of the groups of which some mode may be missing.
 
     ``free_groups`` have outer pins that meet behind some choices: there they may turn, which is no single mode.
@@ -88,11 +88,11 @@ class Explorer:
         self.drives = {name: Jet([value]) for name, value in drives.items()}
         self.graph = Graph(quantities, structure)
         self.size = extent(structure.topology, self.geometry)
-        self.found = Found()
+        self.found = FoundModes()
         self.goal: Mapping[str, Body] | None = None
         self.needed = self.needs()
 
-    def run(self) -> Found:
+    def run(self) -> FoundModes:
         """Follow every choice."""
         # Depth-first: each walk follows one list of choices and notes the alternatives it passes.
         self.todo: list[tuple[Choice, ...]] = [()]
@@ -140,7 +140,7 @@ class Explorer:
         """One mode: the choices given, then the first of each; the others are noted to be walked later."""
         self.chosen, self.singular = chosen, False
         self.taken: list[Choice] = []
-        # Solve the whole position; dyads ask for their branch and clusters for their coordinates.
+        # Solve the whole position; dyads ask for their branch and higher groups for their coordinates.
         self.motion = Motion(self.structure, self.geometry, 0)
         try:
             with np.errstate(all="ignore"):
@@ -186,55 +186,55 @@ class Explorer:
         assert isinstance(branch, float)
         return branch
 
-    def unknowns(self, cluster: Cluster) -> list[float]:
-        """The coordinates of a cluster that closes."""
+    def unknowns(self, higher_group: HigherGroup) -> list[float]:
+        """The coordinates of a higher group that closes."""
         known = len(self.taken) < len(self.chosen)
-        options: list[Choice] = [] if known else [tuple(u) for u in self.cluster(cluster)]
+        options: list[Choice] = [] if known else [tuple(u) for u in self.higher_group(higher_group)]
         if not known and not options:
-            raise self.dead_end(cluster)
+            raise self.dead_end(higher_group)
         choice = self.choose(options)
         assert isinstance(choice, tuple)
-        solve_cluster(self.motion, cluster, self.drives, lambda _: list(choice))
-        self.singular = self.singular or self.vague(cluster)
+        solve_higher_group(self.motion, higher_group, self.drives, lambda _: list(choice))
+        self.singular = self.singular or self.vague(higher_group)
         return list(choice)
 
-    def cluster(self, cluster: Cluster) -> list[list[float]]:
-        """All coordinates of a cluster on the links placed so far: of a triad all, else those found."""
+    def higher_group(self, higher_group: HigherGroup) -> list[list[float]]:
+        """All coordinates of a higher group on the links placed so far: of a triad all, else those found."""
         # If a given pose is sought, start from the coordinates that it has.
         if self.goal is not None:
-            self.motion.bodies.update({link: self.goal[link] for link in cluster.links})
-            there = self.polish(cluster, read_coordinates(self.motion, cluster))
+            self.motion.bodies.update({link: self.goal[link] for link in higher_group.links})
+            there = self.polish(higher_group, read_coordinates(self.motion, higher_group))
             return [] if there is None else [there]
         # All modes of a triad follow from a polynomial, so the list is complete.
-        shape = triad(self.motion, cluster, self.drives)
+        shape = triad(self.motion, higher_group, self.drives)
         candidates: list[list[float]] = []
         complete = False
         if shape is not None:
-            system = System(self.motion, shape)
+            system = TriadSystem(self.motion, shape)
             roots = system.roots()
             complete = roots.complete
-            candidates = [coordinates(self.motion, cluster, system, pose) for pose in roots.poses]
+            candidates = [coordinates(self.motion, higher_group, system, pose) for pose in roots.poses]
         # Other groups are searched from many starts; some mode may be missing.
         if not complete:
-            if cluster.label not in self.found.open_groups:
-                self.found.open_groups.append(cluster.label)
-            candidates += self.search(cluster)
+            if higher_group.label not in self.found.open_groups:
+                self.found.open_groups.append(higher_group.label)
+            candidates += self.search(higher_group)
         # Improve every candidate by Newton and drop duplicates; near singular poses these agree to fewer digits.
         found: list[tuple[list[float], bool]] = []
         for start in candidates:
-            there = self.polish(cluster, start)
+            there = self.polish(higher_group, start)
             if there is None:
                 continue
-            vague = self.vague(cluster)
-            if not any(self.same(cluster, there, u, VAGUE if vague or v else SAME) for u, v in found):
+            vague = self.vague(higher_group)
+            if not any(self.same(higher_group, there, u, VAGUE if vague or v else SAME) for u, v in found):
                 found.append((there, vague))
         return sorted(u for u, _ in found)
 
-    def vague(self, cluster: Cluster) -> bool:
-        """Whether a cluster, as it is placed now, is singular: its coordinates are known to few digits only."""
-        return not abs(float(self.motion.clusters[cluster].determinant())) > 1e-6
+    def vague(self, higher_group: HigherGroup) -> bool:
+        """Whether a higher group, as it is placed now, is singular: its coordinates are known to few digits only."""
+        return not abs(float(self.motion.higher_groups[higher_group].determinant())) > 1e-6
 
-    def polish(self, cluster: Cluster, start: list[float]) -> list[float] | None:
+    def polish(self, higher_group: HigherGroup, start: list[float]) -> list[float] | None:
         """The solution at a start, singular ones too; ``None`` where there is none.
 
         A closing slide's sine also vanishes for opposed lines; its slope is that of equal ones, which drives Newton's
@@ -243,28 +243,28 @@ class Explorer:
         if not all(map(math.isfinite, start)):
             return None
         # Newton first; where it creeps, as at a double root, least-squares steps.
-        there = newton(self.motion, cluster, start, self.drives)
-        there = self.settle(cluster, start) if there is None else there
+        there = newton(self.motion, higher_group, start, self.drives)
+        there = self.settle(higher_group, start) if there is None else there
         if there is None:
             return None
-        solve_cluster(self.motion, cluster, self.drives, lambda _: there)
-        free = zip(cluster.turning, there, strict=True)
+        solve_higher_group(self.motion, higher_group, self.drives, lambda _: there)
+        free = zip(higher_group.turning, there, strict=True)
         return [math.remainder(q, 2 * math.pi) if turns else q for turns, q in free]
 
-    def same(self, cluster: Cluster, a: list[float], b: list[float], near: float) -> bool:
-        """Whether two sets of a cluster's coordinates are one pose."""
-        for turns, unit, p, q in zip(cluster.turning, cluster.units(self.size), a, b, strict=True):
+    def same(self, higher_group: HigherGroup, a: list[float], b: list[float], near: float) -> bool:
+        """Whether two sets of a higher group's coordinates are one pose."""
+        for turns, unit, p, q in zip(higher_group.turning, higher_group.units(self.size), a, b, strict=True):
             if abs(math.remainder(p - q, 2 * math.pi) if turns else (p - q) / unit) > near:
                 return False
         return True
 
-    def settle(self, cluster: Cluster, start: list[float]) -> list[float] | None:
+    def settle(self, higher_group: HigherGroup, start: list[float]) -> list[float] | None:
         """Least-squares steps to a singular solution, where Newton's method creeps."""
         here = np.array(start)
         for _ in range(60):
             at: list[float] = [float(q) for q in here]
-            solve_cluster(self.motion, cluster, self.drives, partial(_given, at))
-            solved = self.motion.clusters[cluster]
+            solve_higher_group(self.motion, higher_group, self.drives, partial(_given, at))
+            solved = self.motion.higher_groups[higher_group]
             gaps = np.array([float(gap) for gap in solved.gaps])
             if np.abs(gaps).max() < CLOSED * min(self.size, 1.0):
                 return at
@@ -273,11 +273,11 @@ class Explorer:
             here = here - step
         return None
 
-    def search(self, cluster: Cluster) -> list[list[float]]:
-        """Solutions of a cluster from many starts."""
-        n, graph = len(cluster.free), self.graph
-        function = graph.program(graph.closure(cluster)).block.function
-        rows = graph.coordinates(cluster)
+    def search(self, higher_group: HigherGroup) -> list[list[float]]:
+        """Solutions of a higher group from many starts."""
+        n, graph = len(higher_group.free), self.graph
+        function = graph.program(graph.closure(higher_group)).block.function
+        rows = graph.coordinates(higher_group)
         parameters = np.array([self.quantities.parameters[name] for name in graph.parameters])
         known = self.inputs()
 
@@ -287,7 +287,7 @@ class Explorer:
             y = np.asarray(function(x, parameters), dtype=float)
             return y[:n].T, y[n:].reshape(n, n, -1).transpose(2, 0, 1)
 
-        return many_starts(closure, np.array(cluster.turning), self.size, CLOSED * self.size)
+        return many_starts(closure, np.array(higher_group.turning), self.size, CLOSED * self.size)
 
     def inputs(self) -> Array:
         """The program's inputs as far as groups are placed: (inputs,)."""
@@ -295,7 +295,7 @@ class Explorer:
         for i, name in enumerate(self.graph.drives):
             x[i * (MAX_ORDER + 2)] = self.values[name]
         for step, choice in zip(self.structure.choices, self.taken, strict=False):  # as far as they are made
-            if isinstance(step, Cluster):
+            if isinstance(step, HigherGroup):
                 x[self.graph.coordinates(step)] = choice
             else:
                 x[self.graph.inputs.index(f"branch:{step.label}")] = choice
@@ -321,7 +321,7 @@ class Explorer:
         said: dict[str, str] = {}
         for step in self.structure.steps:
             points = [name for link in step.links for name in links[link].points if name not in known]
-            if isinstance(step, Cluster):
+            if isinstance(step, HigherGroup):
                 said |= {name: self.sketch(places[name]) for name in points if name not in said}
             elif isinstance(step, Group) and step.modes > 1:
                 rules = step.rules(branches[step.label])
@@ -340,7 +340,7 @@ class Explorer:
         return f"[{x}, {y}]"
 
 
-def _given(at: list[float], _: Cluster) -> list[float]:
+def _given(at: list[float], _: HigherGroup) -> list[float]:
     return at
 
 

@@ -9,17 +9,17 @@ from functools import partial
 from linkwright.elements import Twist
 from linkwright.elements.lower_pair import LowerPair
 from linkwright.elements.mover import Mover
-from linkwright.graph.clusters import SolvedCluster, solve_cluster
 from linkwright.graph.geometry import Geometry
+from linkwright.graph.higher_groups import SolvedHigherGroup, solve_higher_group
 from linkwright.graph.placing import carried, driven_body, inner_joint, outer_joint
 from linkwright.graph.wedges import SolvedWedge, solve_wedge
 from linkwright.groups import REGISTRY, Dyad, Solved
 from linkwright.groups.dyad import determinant_of
 from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
-from linkwright.structure import FRAME, Cluster, Driven, Group, Step, Structure, Wedge
+from linkwright.structure import FRAME, Driven, Group, HigherGroup, Step, Structure, Wedge
 
 Branch = Callable[[Group, Dyad], Scalar]
-Unknowns = Callable[[Cluster], list[Scalar]]
+Unknowns = Callable[[HigherGroup], list[Scalar]]
 
 
 @dataclass
@@ -30,7 +30,7 @@ class Motion:
     geometry: Geometry
     order: int
     bodies: dict[str, Body] = field(default_factory=dict)
-    clusters: dict[Cluster, SolvedCluster] = field(default_factory=dict)
+    higher_groups: dict[HigherGroup, SolvedHigherGroup] = field(default_factory=dict)
     dyads: dict[Group, tuple[Dyad, Solved]] = field(default_factory=dict)
     wedges: dict[Wedge, SolvedWedge] = field(default_factory=dict)
     twists: dict[Driven, Twist] = field(default_factory=dict)
@@ -39,14 +39,14 @@ class Motion:
         """A solved dyad by its label."""
         return next(found for group, found in self.dyads.items() if group.label == label)
 
-    def cluster(self, label: str) -> SolvedCluster:
-        """A solved cluster by its label."""
-        return next(found for cluster, found in self.clusters.items() if cluster.label == label)
+    def higher_group(self, label: str) -> SolvedHigherGroup:
+        """A solved higher group by its label."""
+        return next(found for higher_group, found in self.higher_groups.items() if higher_group.label == label)
 
     def determinant(self, label: str) -> Scalar:
-        """The normalised determinant of a dyad or cluster."""
+        """The normalised determinant of a dyad or higher group."""
         dyads = {group.label: solved.determinant for group, (_, solved) in self.dyads.items()}
-        return dyads[label] if label in dyads else self.cluster(label).determinant()
+        return dyads[label] if label in dyads else self.higher_group(label).determinant()
 
     def point(self, link: str, name: str) -> Pair:
         """Coordinates of a link's point in its frame."""
@@ -89,7 +89,7 @@ def solve_motion(
     motion: Motion | None = None,
 ) -> Motion:
     """Run the steps: ``drives`` gives each drive's value and rates, ``branch`` each dyad's assembly branch,
-    ``unknowns`` each cluster's coordinates (rad or m).
+    ``unknowns`` each higher group's coordinates (rad or m).
 
     A ``motion`` given is filled step by step, so that ``branch`` can look at what is solved so far.
     """
@@ -110,7 +110,7 @@ def solve_step(motion: Motion, step: Step, drives: dict[str, Jet], branch: Branc
     elif isinstance(step, Wedge):
         solve_wedge(motion, step, drives)
     else:
-        solve_cluster(motion, step, drives, unknowns)
+        solve_higher_group(motion, step, drives, unknowns)
 
 
 def _drive(motion: Motion, step: Driven, law: Jet) -> None:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, TypeVar
 from linkwright.elements import Inner, JointKind, Outer
 from linkwright.findings import Finding, ModelError
 from linkwright.notation import Body, Jet
-from linkwright.structure import Chain, Connection, Driven, Edge
+from linkwright.structure import Chain, Connection, Driven, LinkPlacement
 
 if TYPE_CHECKING:
     from linkwright.graph.motion import Motion
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 Answer = TypeVar("Answer")
 
 
-def driven_body(motion: Motion, step: Driven | Edge, law: Jet) -> tuple[Outer, Body]:
+def driven_body(motion: Motion, step: Driven | LinkPlacement, law: Jet) -> tuple[Outer, Body]:
     """A link placed by a drive on a link placed before."""
     outer = outer_joint(motion, step.joint, step.link)
     return outer, outer.driven(motion.bodies[step.base], law if step.sign > 0 else -law)

@@ -39,7 +39,7 @@ EXCESS = ("structure.overconstrained", "structure.redundant")
 
 
 @dataclass(frozen=True)
-class Part:
+class Removable:
     """Something that may be left out: a link, or a slide between two links."""
 
     kind: str  # "links" or "joints", its section in the file
@@ -74,7 +74,7 @@ def redundant(quantities: Quantities, structure: Structure, values: Mapping[str,
     return findings + [_nearly(part, miss * whole.system.size, quantities) for part, miss in nearly.items()]
 
 
-def _spare(mechanism: Mechanism, findings: list[Finding], most: int) -> tuple[list[Part], Mechanism] | None:
+def _spare(mechanism: Mechanism, findings: list[Finding], most: int) -> tuple[list[Removable], Mechanism] | None:
     """The fewest parts, one for each finding at a time, without which the structure is sound."""
     if most == 0:
         return None
@@ -95,18 +95,18 @@ def _excess(findings: list[Finding]) -> int:
     return sum(int(finding.data.get("excess", 1)) for finding in findings)
 
 
-def _candidates(mechanism: Mechanism, finding: Finding) -> Iterator[Part]:
+def _candidates(mechanism: Mechanism, finding: Finding) -> Iterator[Removable]:
     """What may be left out to mend a finding: the slides in it, then its links, the last in the file first."""
     links = str(finding.data["links"]).split(", ")
     driven = {link for drive in mechanism.movers.values() for link in (drive.link, drive.on)}
     names = [name for name, joint in mechanism.prismatic_joints() if {*joint.links} & {*links}]
     if finding.code == "structure.redundant":
         names, links = [name for name in names if name == finding.data["joint"]], []
-    yield from (Part("joints", name) for name in reversed(names))
-    yield from (Part("links", link) for link in reversed(links) if link not in driven and link != FRAME)
+    yield from (Removable("joints", name) for name in reversed(names))
+    yield from (Removable("links", link) for link in reversed(links) if link not in driven and link != FRAME)
 
 
-def without(mechanism: Mechanism, part: Part) -> Mechanism:
+def without(mechanism: Mechanism, part: Removable) -> Mechanism:
     """The mechanism without a link and its joints, or without a slide."""
     links = {name: link for name, link in mechanism.links.items() if (part.kind, part.name) != ("links", name)}
     joints = {
@@ -142,7 +142,7 @@ def _poses(quantities: Quantities, reduced: Structure, values: Mapping[str, floa
 class _Whole:
     """The whole mechanism at the poses that it has without its spare parts, these put where their joints hold best."""
 
-    def __init__(self, quantities: Quantities, structure: Structure, parts: list[Part], poses: list[Pose]) -> None:
+    def __init__(self, quantities: Quantities, structure: Structure, parts: list[Removable], poses: list[Pose]) -> None:
         geometry = Geometry(quantities, quantities.parameters)
         self.system = Constraints(structure.topology, geometry, extent(structure.topology, geometry), whole=True)
         pattern = self.system.jacobian(np.random.default_rng(0).uniform(1.0, 2.0, self.system.width)) != 0
@@ -179,7 +179,7 @@ class _Whole:
                 break
         return at
 
-    def miss(self, part: Part) -> float:
+    def miss(self, part: Removable) -> float:
         """How far a part's joints are from holding, together, over the size, at the worst pose."""
         if any(self.system.opposed(z) for z in self.poses):
             return math.inf
@@ -192,14 +192,14 @@ class _Whole:
         return max(int(np.linalg.matrix_rank(self.system.jacobian(z), tol=1e-7)) for z in some)
 
 
-def _movable(part: Part, structure: Structure, whole: _Whole) -> Finding:
+def _movable(part: Removable, structure: Structure, whole: _Whole) -> Finding:
     rank = whole.rank()
     data: dict[str, Any] = {"part": part.name, "rank": rank, "mobility": whole.system.width - rank}
     data |= {"constraints": len(whole.system.rows), "gruebler": structure.topology.gruebler}
     return Finding("structure.redundant-movable", (part.kind, part.name), data)
 
 
-def _nearly(part: Part, miss: float, quantities: Quantities) -> Finding:
+def _nearly(part: Removable, miss: float, quantities: Quantities) -> Finding:
     unit, size = quantities.unit_of(LENGTH)
     data = {"part": part.name, "miss": f"{miss / size:.3g}", "unit": unit}
     return Finding("structure.nearly-redundant", (part.kind, part.name), data)

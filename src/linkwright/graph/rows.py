@@ -63,7 +63,7 @@ class SignalRow(Row):
         return view.expression(self.signal)
 
 
-# Groups and clusters, each by its label.
+# Groups and higher groups, each by its label.
 
 
 @dataclass(frozen=True)
@@ -74,7 +74,7 @@ class GroupRow(Row):
 
 
 @dataclass(frozen=True)
-class Reach(GroupRow):
+class ReachRow(GroupRow):
     """A dyad's reach: what stands under its root over the square of its size, 0 where its two modes meet, negative
     where it can't be assembled; 1 where there is no root to take."""
 
@@ -108,7 +108,7 @@ class Radicand(GroupRow):
 
 @dataclass(frozen=True)
 class Determinant(GroupRow):
-    """The normalised determinant of a group or cluster: 0 singular, 1 best."""
+    """The normalised determinant of a group or higher group: 0 singular, 1 best."""
 
     called = "determinant:{group}"
 
@@ -117,37 +117,37 @@ class Determinant(GroupRow):
 
 
 @dataclass(frozen=True)
-class ClusterRow(GroupRow):
-    """The entry ``index`` of something of a cluster."""
+class HigherGroupRow(GroupRow):
+    """The entry ``index`` of something of a higher group."""
 
     index: int
 
 
 @dataclass(frozen=True)
-class Gap(ClusterRow):
-    """What one of a cluster's closures misses."""
+class Gap(HigherGroupRow):
+    """What one of a higher group's closures misses."""
 
     called = "gap:{group}:{index}"
 
     def expression(self, view: View) -> Scalar:
-        return view.motion.cluster(self.group).gaps[self.index]
+        return view.motion.higher_group(self.group).gaps[self.index]
 
 
 @dataclass(frozen=True)
-class Slope(ClusterRow):
-    """The derivative of a cluster's closure by one of its coordinates, numbered row by row."""
+class Slope(HigherGroupRow):
+    """The derivative of a higher group's closure by one of its coordinates, numbered row by row."""
 
     called = "slope:{group}:{index}"
 
     def expression(self, view: View) -> Scalar:
-        slopes = view.motion.cluster(self.group).slopes
+        slopes = view.motion.higher_group(self.group).slopes
         closure, coordinate = divmod(self.index, len(slopes))
         return slopes[closure][coordinate]
 
 
 @dataclass(frozen=True)
-class CoordinateRate(ClusterRow):
-    """The rate in time of one of a cluster's coordinates."""
+class CoordinateRate(HigherGroupRow):
+    """The rate in time of one of a higher group's coordinates."""
 
     called = "rate:{group}:{index}"
 
@@ -155,12 +155,12 @@ class CoordinateRate(ClusterRow):
         return 1
 
     def expression(self, view: View) -> Scalar:
-        return view.motion.cluster(self.group).rates[self.index][0]
+        return view.motion.higher_group(self.group).rates[self.index][0]
 
 
-def reaches(structure: Structure) -> list[Reach]:
+def reaches(structure: Structure) -> list[ReachRow]:
     """The reaches of all groups with two modes."""
-    return [Reach(group.label) for group in structure.groups if group.modes > 1]
+    return [ReachRow(group.label) for group in structure.groups if group.modes > 1]
 
 
 def spans(structure: Structure) -> list[Span]:
@@ -169,8 +169,11 @@ def spans(structure: Structure) -> list[Span]:
 
 
 def determinants(structure: Structure) -> list[Determinant]:
-    """The determinants of all groups, then of all clusters."""
-    labels = [*(group.label for group in structure.groups), *(cluster.label for cluster in structure.clusters)]
+    """The determinants of all groups, then of all higher groups."""
+    labels = [
+        *(group.label for group in structure.groups),
+        *(higher_group.label for higher_group in structure.higher_groups),
+    ]
     return [Determinant(label) for label in labels]
 
 

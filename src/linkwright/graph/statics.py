@@ -26,7 +26,7 @@ TOLERANCE = 1e-9
 
 
 @dataclass(frozen=True)
-class Part:
+class ReactionComponent:
     """One component of a reaction (N or N m); ``None`` where statics doesn't determine it."""
 
     contact: Contact
@@ -148,10 +148,10 @@ class Statics:
             found["moment"] = rows[2] + _cross(self.origin(contact.on) - about, rows)
         return found
 
-    def parts(self, contact: Contact) -> list[Part]:
+    def parts(self, contact: Contact) -> list[ReactionComponent]:
         """A reaction's components with their values."""
         rows = self.reaction(contact)
-        return [Part(contact, attribute, self.component(row)) for attribute, row in rows.items()]
+        return [ReactionComponent(contact, attribute, self.component(row)) for attribute, row in rows.items()]
 
     def across(self, contact: Contact) -> tuple[float, float] | None:
         """Where neither x nor y is determined but what lies across some direction: that normal's angle (rad, -90 to

@@ -2,7 +2,7 @@
 
 The program takes a direction beside the parameters and gives the derivative along it: forward differentiation of the
 expressions (Griewank and Walther, *Evaluating Derivatives*, 2nd ed., ch. 3). Its size doesn't grow with the number of
-parameters, of which each is a direction. What the closures of clusters make of their coordinates follows from the
+parameters, of which each is a direction. What the closures of higher groups make of their coordinates follows from the
 implicit function theorem: J du = -(dg/dp) dp.
 """
 
@@ -44,11 +44,11 @@ def tangent(graph: Graph, named: Sequence[Named], rates: bool = False, plays: Se
 
     for i in range(len(graph.drives) * graph.width, graph.first_unknown):
         inputs[i] = ca.SX(0)  # branches
-    for cluster in graph.structure.clusters:
-        at = graph.coordinates(cluster)
+    for higher_group in graph.structure.higher_groups:
+        at = graph.coordinates(higher_group)
         for row in at:
             inputs[row] = ca.SX(0)
-        solved = view.motion.clusters[cluster]
+        solved = view.motion.higher_groups[higher_group]
         missed = along(ca.vertcat(*solved.gaps))
         for row, q in zip(at, solved.factor.solve([missed[i] for i in range(len(at))]), strict=True):
             inputs[row] = -q

@@ -22,11 +22,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.graph.geometry import ZERO
-from linkwright.graph.legs import EQUATIONS, Circle, Fixed, Linear, Row, Triad, length
+from linkwright.graph.legs import EQUATIONS, CircleLeg, Fixed, Linear, Row, Triad, length
 from linkwright.graph.motion import Motion
 from linkwright.graph.placing import outer_joint
 from linkwright.notation import Body, Pair, Scalar
-from linkwright.structure import Cluster
+from linkwright.structure import HigherGroup
 
 Array = NDArray[np.float64]
 
@@ -51,14 +51,14 @@ class Roots:
     complete: bool
 
 
-class System:
+class TriadSystem:
     """The three equations of a triad at known links, numbers or symbols."""
 
     def __init__(self, motion: Motion, triad: Triad) -> None:
         self.triad = triad
         every = self.every = [EQUATIONS[leg.turning](motion, triad, leg) for leg in triad.legs]
         self.fixed = [e for e in every if isinstance(e, Fixed)]
-        self.circles = [e for e in every if isinstance(e, Circle)]
+        self.circles = [e for e in every if isinstance(e, CircleLeg)]
         self.linear = [e for e in every if isinstance(e, Linear)]
         # The polynomial has its least degree about one leg's pins: its circle is then centred where x = y = 0.
         first = (self.circles or every)[0]
@@ -226,18 +226,20 @@ def trigonometric_roots(f: Callable[[Array], Array]) -> tuple[list[float], Array
     return sorted(found), sizes
 
 
-def coordinates(motion: Motion, cluster: Cluster, system: System, pose: tuple[float, Pair]) -> list[float]:
-    """The cluster's coordinates at a pose of the platform."""
+def coordinates(
+    motion: Motion, higher_group: HigherGroup, system: TriadSystem, pose: tuple[float, Pair]
+) -> list[float]:
+    """The higher group's coordinates at a pose of the platform."""
     phi, at = pose
     kept, bodies = dict(motion.bodies), motion.bodies
     place_links(motion, system, Body.still(at, system.reference, Pair(math.cos(phi), math.sin(phi))))
-    found = read_coordinates(motion, cluster)
+    found = read_coordinates(motion, higher_group)
     bodies.clear()
     bodies.update(kept)
     return found
 
 
-def place_links(motion: Motion, system: System, platform: Body) -> None:
+def place_links(motion: Motion, system: TriadSystem, platform: Body) -> None:
     """Put all links of a triad where they are at a pose of its platform."""
     heads = [(system.triad.platform, platform), *((e.leg.part, e.place(platform)) for e in system.every)]
     for part, head in heads:
@@ -246,7 +248,7 @@ def place_links(motion: Motion, system: System, platform: Body) -> None:
             motion.bodies[link] = Body.still(head.point(inside.point(ZERO).now).now, ZERO, axis)
 
 
-def read_coordinates(motion: Motion, cluster: Cluster) -> list[float]:
-    """The cluster's coordinates at the poses that its links have in ``motion``."""
+def read_coordinates(motion: Motion, higher_group: HigherGroup) -> list[float]:
+    """The higher group's coordinates at the poses that its links have in ``motion``."""
     bodies = motion.bodies
-    return [outer_joint(motion, edge.joint, edge.link).coordinate(bodies[edge.link]) for edge in cluster.free]
+    return [outer_joint(motion, edge.joint, edge.link).coordinate(bodies[edge.link]) for edge in higher_group.free]

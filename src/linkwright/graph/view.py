@@ -52,8 +52,8 @@ class View:
         laws = {drive: Jet(symbols[i * width : i * width + order + 1]) for i, drive in enumerate(graph.drives)}
         branches = dict(zip(graph.branched, symbols[len(graph.drives) * width : graph.first_unknown], strict=True))
         unknowns, rest = {}, symbols[graph.first_unknown :]
-        for cluster in graph.structure.clusters:
-            unknowns[cluster], rest = rest[: len(cluster.free)], rest[len(cluster.free) :]
+        for higher_group in graph.structure.higher_groups:
+            unknowns[higher_group], rest = rest[: len(higher_group.free)], rest[len(higher_group.free) :]
         offsets = [ca.SX.sym(name) for name in plays]
         parameters = dict(zip(graph.parameters, values, strict=True))
         geometry = Geometry(graph.quantities, parameters, dict(zip(plays, offsets, strict=True)))

@@ -19,9 +19,9 @@ from linkwright.graph.assembly import Assembly
 from linkwright.graph.graph import Graph
 from linkwright.graph.rows import Named
 from linkwright.kernels.change_points import Passage, Passages, unwrapped
-from linkwright.kernels.continuation import Follower
+from linkwright.kernels.continuation import Continuation
 from linkwright.kernels.external_inputs import Supply
-from linkwright.kernels.law import Law
+from linkwright.kernels.law import DriveLaw
 from linkwright.kernels.motions import StatedMotion
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.kernels.tables import StatedTable
@@ -29,7 +29,7 @@ from linkwright.model.mechanism import Mechanism
 from linkwright.model.plane import LinkagePlane
 from linkwright.model.quantities import Quantities
 from linkwright.model.signals import Signal
-from linkwright.structure import Cluster, Group, Structure
+from linkwright.structure import Group, HigherGroup, Structure
 
 Array = NDArray[np.float64]
 Made = TypeVar("Made")
@@ -43,7 +43,7 @@ class Compiled:
     quantities: Quantities
     structure: Structure
     assembly: Assembly
-    laws: dict[str, Law]
+    laws: dict[str, DriveLaw]
     tables: dict[str, StatedTable] = field(default_factory=dict)  # those that acting elements ask
     motions: dict[str, StatedMotion] = field(default_factory=dict)  # the motion laws, that drives ask
     kernel: str = "numpy"
@@ -73,13 +73,15 @@ class Compiled:
     def _supplied(self) -> None:
         """What follows the motion to give inputs of the program, at the start of it."""
         starts, size = self.assembly.starts, self.assembly.size()
-        self.followers = [Follower(self.graph, c, starts[c], size, self.kernel) for c in self.structure.clusters]
+        self.followers = [
+            Continuation(self.graph, c, starts[c], size, self.kernel) for c in self.structure.higher_groups
+        ]
         self.supply = Supply(self.graph, self.tables, self.kernel, self.laws)
 
-    def inputs(self, t: Array, clusters: int | None = None, actions: bool = True, starts: bool = False) -> Array:
-        """The per-pose inputs at times ``t`` (s): (inputs, poses), in SI; only the first ``clusters`` in place, those
-        of acting elements only where ``actions``. With ``starts``, the clusters' coordinates are only near their
-        solutions, for a program that solves them."""
+    def inputs(self, t: Array, higher_groups: int | None = None, actions: bool = True, starts: bool = False) -> Array:
+        """The per-pose inputs at times ``t`` (s): (inputs, poses), in SI; only the first ``higher_groups`` in place,
+        those of acting elements only where ``actions``. With ``starts``, the higher groups' coordinates are only near
+        their solutions, for a program that solves them."""
         width = self.graph.width
         x = np.empty((len(self.graph.inputs), t.size))
         for i, drive in enumerate(self.graph.drives):
@@ -87,10 +89,10 @@ class Compiled:
         for i, group in enumerate(self.graph.branched, start=width * len(self.graph.drives)):
             x[i] = self.assembly.branches[group] * self.passages.sign(group.label, t)
         x[self.graph.first_unknown :] = np.nan
-        for i, follower in enumerate(self.followers[:clusters]):
+        for i, follower in enumerate(self.followers[:higher_groups]):
             follow = follower.foretell if starts else follower.solve
-            x[follower.rows] = follow(x, t, self.parameters, partial(self.inputs, clusters=i))
-        if clusters is None and actions:
+            x[follower.rows] = follow(x, t, self.parameters, partial(self.inputs, higher_groups=i))
+        if higher_groups is None and actions:
             self.supply.fill(x, t, self.parameters, partial(self.inputs, actions=False))
         return x
 
@@ -99,10 +101,10 @@ class Compiled:
         t = np.array([time])
         return {g: b * float(self.passages.sign(g.label, t)[0]) for g, b in self.assembly.branches.items()}
 
-    def unknowns(self, time: float) -> dict[Cluster, list[float]]:
-        """The coordinates of every cluster at a time."""
+    def unknowns(self, time: float) -> dict[HigherGroup, list[float]]:
+        """The coordinates of every higher group at a time."""
         x = self.inputs(np.array([time]))[:, 0]
-        return {follower.cluster: x[follower.rows].tolist() for follower in self.followers}
+        return {follower.higher_group: x[follower.rows].tolist() for follower in self.followers}
 
     def evaluate(self, names: Sequence[Named], t: Array, rates: bool = False) -> Array:
         """Signals by name, or other rows, at times ``t``: (rows, poses) in SI, or (rows, 2, poses) with their rates.

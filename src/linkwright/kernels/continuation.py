@@ -1,4 +1,5 @@
-"""Numerical continuation of one cluster along a motion: its coordinates at any time, on the branch of the start pose.
+"""Numerical continuation of one higher group along a motion: its coordinates at any time, on the branch of the start
+pose.
 
 A path of solved poses is built once by a predictor and corrector method: the exact rates predict the next pose, Newton
 corrects it, and the step length is adapted so that the corrections stay small. Coordinates at other times start from
@@ -16,7 +17,7 @@ from numpy.typing import NDArray
 
 from linkwright.graph.graph import Graph
 from linkwright.kernels.registry import KERNELS, Kernel
-from linkwright.structure import Cluster
+from linkwright.structure import HigherGroup
 
 Array = NDArray[np.float64]
 
@@ -27,8 +28,8 @@ PATIENCE = 1e-9
 
 
 @dataclass
-class Path:
-    """Solved poses of one cluster: times, coordinates and their rates; ``end`` where it can't go on."""
+class HigherGroupPath:
+    """Solved poses of one higher group: times, coordinates and their rates; ``end`` where it can't go on."""
 
     t: list[float] = field(default_factory=list)
     u: list[Array] = field(default_factory=list)
@@ -37,18 +38,18 @@ class Path:
 
 
 class Corrector:
-    """Newton on one cluster, from inputs in which the coordinates of earlier clusters stand already."""
+    """Newton on one higher group, from inputs in which the coordinates of earlier higher groups stand already."""
 
-    def __init__(self, graph: Graph, cluster: Cluster, size: float, kernel: str) -> None:
-        self.graph, self.cluster, self.kernel, self.n = graph, cluster, kernel, len(cluster.free)
-        self.rows = graph.coordinates(cluster)
-        self.scale = np.array(cluster.units(size))
-        self.slides = 1.0 - np.array(cluster.turning, dtype=float)
+    def __init__(self, graph: Graph, higher_group: HigherGroup, size: float, kernel: str) -> None:
+        self.graph, self.higher_group, self.kernel, self.n = graph, higher_group, kernel, len(higher_group.free)
+        self.rows = graph.coordinates(higher_group)
+        self.scale = np.array(higher_group.units(size))
+        self.slides = 1.0 - np.array(higher_group.turning, dtype=float)
 
     @cached_property
     def solver(self) -> Kernel:
-        """What solves the cluster; built when it is asked for, which an examination doesn't."""
-        return KERNELS[self.kernel](self.graph.solving(self.cluster))
+        """What solves the higher group; built when it is asked for, which an examination doesn't."""
+        return KERNELS[self.kernel](self.graph.solving(self.higher_group))
 
     def moved(self, step: Array, u: Array) -> Array:
         """The largest step of a pose's coordinates: (poses,), in rad, and of slides over the size or where it is more
@@ -64,19 +65,20 @@ class Corrector:
         return self.solver.run(x, p)
 
 
-class Follower(Corrector):
-    """Supplies the coordinates of one cluster, from inputs in which those of earlier clusters stand already."""
+class Continuation(Corrector):
+    """Supplies the coordinates of one higher group, from inputs in which those of earlier higher groups stand
+    already."""
 
-    def __init__(self, graph: Graph, cluster: Cluster, start: list[float], size: float, kernel: str) -> None:
-        super().__init__(graph, cluster, size, kernel)
+    def __init__(self, graph: Graph, higher_group: HigherGroup, start: list[float], size: float, kernel: str) -> None:
+        super().__init__(graph, higher_group, size, kernel)
         self.start = np.array(start)
-        self.path = Path()
+        self.path = HigherGroupPath()
         self.correction = 0.0  # the most that Newton moved a foretold coordinate (rad, or over the size)
 
     @cached_property
     def motion(self) -> Kernel:
         """What gives the rates of the coordinates."""
-        return KERNELS[self.kernel](self.graph.program(self.graph.coordinate_rates(self.cluster)))
+        return KERNELS[self.kernel](self.graph.program(self.graph.coordinate_rates(self.higher_group)))
 
     def solve(self, x: Array, t: Array, p: Array, at: Callable[[Array], Array]) -> Array:
         """The coordinates at times ``t``: (coordinates, times), NaN past the path's end. ``at`` gives inputs."""

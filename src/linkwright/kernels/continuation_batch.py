@@ -1,5 +1,5 @@
-"""Numerical continuation of the clusters of many samples at once, each with steps of its own: first in the parameters,
-from the nominal start pose to that of the sample, then in time from pose to pose.
+"""Numerical continuation of the higher groups of many samples at once, each with steps of its own: first in the
+parameters, from the nominal start pose to that of the sample, then in time from pose to pose.
 
 A step predicts the coordinates with the closures' slopes at its beginning, and Newton corrects them. It is accepted
 only if the correction is small (:data:`CLOSE`), else halved, so that no sample jumps to another assembly mode. The
@@ -17,10 +17,10 @@ from numpy.typing import NDArray
 
 from linkwright.graph.graph import Graph
 from linkwright.kernels.continuation import CLOSE, PATIENCE, Corrector
-from linkwright.kernels.continuation_paths import NEAR, STRIDE, Paths, Place
+from linkwright.kernels.continuation_paths import NEAR, STRIDE, Place, SamplePaths
 from linkwright.kernels.newton import steps
 from linkwright.kernels.registry import KERNELS, Kernel
-from linkwright.structure import Cluster
+from linkwright.structure import HigherGroup
 
 Array = NDArray[np.float64]
 
@@ -31,11 +31,11 @@ HELD = 1 << 14
 
 
 class _Joined(Corrector):
-    """Newton on one cluster, from a prediction by the slopes of its closure equations."""
+    """Newton on one higher group, from a prediction by the slopes of its closure equations."""
 
-    def __init__(self, graph: Graph, cluster: Cluster, size: float, kernel: str) -> None:
-        super().__init__(graph, cluster, size, kernel)
-        self.closure: Kernel = KERNELS[kernel](graph.program(graph.closure(cluster)))
+    def __init__(self, graph: Graph, higher_group: HigherGroup, size: float, kernel: str) -> None:
+        super().__init__(graph, higher_group, size, kernel)
+        self.closure: Kernel = KERNELS[kernel](graph.program(graph.closure(higher_group)))
 
     def closed(self, x: Array, p: Array) -> tuple[Array, Array]:
         """What the closures miss, (n, poses), and their slopes, (poses, n, n)."""
@@ -63,13 +63,14 @@ class _Joined(Corrector):
 
 
 class Pursuit:
-    """The clusters of a mechanism, joined: coordinates ``u`` are (coordinates, samples), cluster by cluster."""
+    """The higher groups of a mechanism, joined: coordinates ``u`` are (coordinates, samples), higher group by higher
+    group."""
 
-    def __init__(self, graph: Graph, clusters: tuple[Cluster, ...], size: float, kernel: str) -> None:
-        self.joined = [_Joined(graph, cluster, size, kernel) for cluster in clusters]
+    def __init__(self, graph: Graph, higher_groups: tuple[HigherGroup, ...], size: float, kernel: str) -> None:
+        self.joined = [_Joined(graph, higher_group, size, kernel) for higher_group in higher_groups]
         self.rows = [row for joined in self.joined for row in joined.rows]
         self.scales = [pair for joined in self.joined for pair in zip(joined.scale, joined.slides, strict=True)]
-        rates = [row for cluster in clusters for row in graph.coordinate_rates(cluster)]
+        rates = [row for higher_group in higher_groups for row in graph.coordinate_rates(higher_group)]
         self.motion: Kernel = KERNELS[kernel](graph.program(rates))
 
     def solve(self, x: Array, p: Array) -> Array:
@@ -149,12 +150,12 @@ class _Company:
     place: Place
     start: Array
     number: dict[bytes, int]
-    laid: dict[float, Paths] = field(default_factory=dict)
+    laid: dict[float, SamplePaths] = field(default_factory=dict)
 
-    def paths(self, span: float, which: NDArray[np.intp], to: Array) -> Paths:
+    def paths(self, span: float, which: NDArray[np.intp], to: Array) -> SamplePaths:
         """The paths of a span, those of some samples laid as far as ``to``."""
         if span not in self.laid:
-            self.laid[span] = Paths(self.pursuit, self.place, self.start, span)
+            self.laid[span] = SamplePaths(self.pursuit, self.place, self.start, span)
         ends = np.full(self.start.shape[1], -1.0)
         np.maximum.at(ends, which, to)
         self.laid[span].extend(ends)
@@ -162,9 +163,9 @@ class _Company:
 
 
 class Pursued:
-    """The coordinates of all clusters of many samples, from the nominal ``start`` pose and parameters on.
+    """The coordinates of all higher groups of many samples, from the nominal ``start`` pose and parameters on.
 
-    ``drives(p, t, shape)`` gives the inputs without the clusters' coordinates.
+    ``drives(p, t, shape)`` gives the inputs without the higher groups' coordinates.
     """
 
     def __init__(self, pursuit: Pursuit, start: Array, nominal: Array, drives: Callable[..., Array]) -> None:
@@ -214,7 +215,7 @@ class Pursued:
         return found
 
     def _between(
-        self, paths: Paths, some: NDArray[np.intp], x: Array, p: Array, t: Array
+        self, paths: SamplePaths, some: NDArray[np.intp], x: Array, p: Array, t: Array
     ) -> tuple[Array, NDArray[np.bool_]]:
         """The coordinates of some samples at times ``t`` (samples, times), and which of them aren't sure."""
         guess = paths.foretell(t, some)

@@ -1,5 +1,5 @@
-"""Paths of the clusters of many samples: poses that each lays by steps of its own, with the rates there, close enough
-for their cubic interpolation to foretell every pose between.
+"""Paths of the higher groups of many samples: poses that each lays by steps of its own, with the rates there, close
+enough for their cubic interpolation to foretell every pose between.
 
 A path goes as far as steps of a fair length lead; what needs shorter ones is left to
 :mod:`linkwright.kernels.continuation_batch`. Its poses depend on the sample and the span alone, whatever times are
@@ -36,7 +36,7 @@ GROWTH = (0.02, 3.0), (0.1, 1.7), (0.3, 1.2), (1.0, 1.0)
 
 
 class Solver(Protocol):
-    """Newton on the clusters: the inputs' ``rows`` of their coordinates, and the kernel of the rates of these."""
+    """Newton on the higher groups: the inputs' ``rows`` of their coordinates, and the kernel of the rates of these."""
 
     rows: list[int]
     motion: Kernel
@@ -51,7 +51,7 @@ class Solver(Protocol):
         """The coordinates at targets by steps of any length, as ``Pursuit.reach`` has them."""
 
 
-class Paths:
+class SamplePaths:
     """The paths from coordinates ``start`` (coordinates, samples) at t = 0; steps are measured by ``span`` (s)."""
 
     def __init__(self, solver: Solver, place: Place, start: Array, span: float) -> None:

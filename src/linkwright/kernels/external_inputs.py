@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from linkwright.graph.graph import Graph
 from linkwright.graph.rows import RawAngle, TableArgument
 from linkwright.kernels.followers import FollowerLaw
-from linkwright.kernels.law import Law, Parameters
+from linkwright.kernels.law import DriveLaw, Parameters
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.kernels.tables import StatedTable
 from linkwright.model.quantities import Quantities
@@ -30,7 +30,7 @@ class Supply:
     """Fills the input rows of acting elements and followers, from inputs in which the motion stands already."""
 
     def __init__(
-        self, graph: Graph, tables: Mapping[str, StatedTable], kernel: str, laws: Mapping[str, Law] | None = None
+        self, graph: Graph, tables: Mapping[str, StatedTable], kernel: str, laws: Mapping[str, DriveLaw] | None = None
     ) -> None:
         self.graph, self.tables = graph, tables
         self.followers = {name: law for name, law in (laws or {}).items() if isinstance(law, FollowerLaw)}

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from linkwright.findings import Finding
 from linkwright.graph.assembly import shortfall_at, shortfall_data
 from linkwright.graph.graph import Graph
-from linkwright.structure import Cluster, Group, Structure
+from linkwright.structure import Group, HigherGroup, Structure
 
 if TYPE_CHECKING:
     from linkwright.kernels.parameter_batch import Varied
@@ -79,18 +79,18 @@ class OfGroup(Cause):
             compiled.assembly.branches,
             drives,
             self.of,
-            lambda cluster: [float(x[row]) for row in graph.coordinates(cluster)],
+            lambda higher_group: [float(x[row]) for row in graph.coordinates(higher_group)],
             dict(zip(graph.parameters, map(float, p[:, 0]), strict=True)),
         )
         short = shortfall_data(compiled.quantities, self.of, distance, limit)
         return Finding("varied.cannot-assemble", ("links", self.of.links[0]), short | data)
 
 
-class OfCluster(Cause):
+class OfHigherGroup(Cause):
     """A group beyond the dyads that can't be brought to its start pose or followed."""
 
-    def __init__(self, cluster: Cluster) -> None:
-        self.of = cluster
+    def __init__(self, higher_group: HigherGroup) -> None:
+        self.of = higher_group
 
     def fails(self, graph: Graph, x: Array, reach: Mapping[str, Array]) -> Bad:
         return np.asarray(np.isnan(x[graph.coordinates(self.of)]).any(axis=0))
@@ -102,4 +102,4 @@ class OfCluster(Cause):
 def causes(structure: Structure) -> tuple[Cause, ...]:
     """All causes for which samples of a mechanism can fail, what comes first on a pose's way first."""
     drives = [OfDrive(name) for name in structure.topology.mechanism.movers]
-    return (Cause(), *drives, *(OfGroup(s) if isinstance(s, Group) else OfCluster(s) for s in structure.choices))
+    return (Cause(), *drives, *(OfGroup(s) if isinstance(s, Group) else OfHigherGroup(s) for s in structure.choices))

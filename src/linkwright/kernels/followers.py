@@ -10,14 +10,14 @@ import numpy as np
 
 from linkwright.findings import Finding
 from linkwright.graph.geometry import Geometry
-from linkwright.kernels.law import Array, Law, Parameters
+from linkwright.kernels.law import Array, DriveLaw, Parameters
 from linkwright.kernels.motions import StatedMotion
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Jet
 
 
 @dataclass(frozen=True)
-class FollowerLaw(Law):
+class FollowerLaw(DriveLaw):
     """The law of a follower; ``ride`` gives its value from that of its motor (rad or m) with its rates."""
 
     motor: str = ""
@@ -40,7 +40,7 @@ class FollowerLaw(Law):
         value, slope = self.ride(Jet([angle, 1.0]), self.parameters).d
         return float(value), float(slope)
 
-    def driven_by(self, motor: Law) -> FollowerLaw:
+    def driven_by(self, motor: DriveLaw) -> FollowerLaw:
         """The same follower with another law of its motor."""
         ride = self.ride
         assert ride is not None
@@ -52,7 +52,9 @@ class FollowerLaw(Law):
         return replace(self, of=of, names=self.names | motor.names)
 
 
-def follower_law(quantities: Quantities, name: str, motions: Mapping[str, StatedMotion], motor: Law) -> FollowerLaw:
+def follower_law(
+    quantities: Quantities, name: str, motions: Mapping[str, StatedMotion], motor: DriveLaw
+) -> FollowerLaw:
     """The law of a follower, by the law of its motor."""
     follower = quantities.mechanism.followers[name]
     noted = Noting(quantities.parameters)
@@ -85,7 +87,7 @@ def follower_faults(
             yield from follower.faults(quantities, geometry, motions, path)
 
 
-def recomposed(laws: Mapping[str, Law], motors: Mapping[str, Law]) -> dict[str, Law]:
+def recomposed(laws: Mapping[str, DriveLaw], motors: Mapping[str, DriveLaw]) -> dict[str, DriveLaw]:
     """Other laws of the motors, and those of the followers that they move."""
     return {
         n: law.driven_by(motors[law.motor]) if isinstance(law, FollowerLaw) else motors[n] for n, law in laws.items()

@@ -17,7 +17,7 @@ FIGURES = "count", "mean", "squares", "least", "most"
 from it, the least and the greatest."""
 
 
-class Reduction:
+class DeviceReduction:
     """Reduces a kernel's outputs over samples on its device. ``tile`` is the (samples, poses) of a block; what is
     held on the device grows with the block and not with the number of samples."""
 

@@ -21,7 +21,7 @@ START, COMPILE = 1.5, 5e-3
 
 
 @dataclass(frozen=True)
-class Choice:
+class KernelChoice:
     """A kernel's name and why it was chosen: the key of a phrase of the catalogue, with its data.
 
     ``poses`` counts samples times poses; ``instructions`` are those of the program.
@@ -38,7 +38,7 @@ class Choice:
         return Term(self.key, kernel=self.kernel, poses=f"{self.poses:.4g}", instructions=self.instructions)
 
 
-def choose(program: Program, poses: int, workers: int = 1, wish: str = "auto") -> Choice:
+def choose(program: Program, poses: int, workers: int = 1, wish: str = "auto") -> KernelChoice:
     """The kernel for a program at so many poses on so many threads; ``wish`` names one that is asked for.
 
     Raises :class:`ModelError` where the one asked for needs a package that isn't installed.
@@ -46,11 +46,11 @@ def choose(program: Program, poses: int, workers: int = 1, wish: str = "auto") -
     size = program.size
     if wish != "auto":
         KERNELS[wish](program)
-        return Choice(wish, poses, size, "kernel-wished")
+        return KernelChoice(wish, poses, size, "kernel-wished")
     plain = NUMPY * size * poses
     compiled = START + COMPILE * size + NUMBA * size * poses / max(workers, 1)
     if plain <= compiled:
-        return Choice("numpy", poses, size)
+        return KernelChoice("numpy", poses, size)
     if not KERNELS["numba"].available():
-        return Choice("numpy", poses, size, "kernel-missing")
-    return Choice("numba", poses, size, "kernel-large")
+        return KernelChoice("numpy", poses, size, "kernel-missing")
+    return KernelChoice("numba", poses, size, "kernel-large")

@@ -17,7 +17,7 @@ Parameters = Mapping[str, Any]
 
 
 @dataclass(frozen=True)
-class Law:
+class DriveLaw:
     """A drive's value and rates (SI): ``of(times (s), parameters, strict)``; where it has none, NaN, or if ``strict``
     :class:`ModelError`. ``names`` are the parameters on which it depends, ``plays`` the offsets of joints (see
     :class:`linkwright.graph.geometry.Geometry`) that move it, asked as parameters are where they are given."""

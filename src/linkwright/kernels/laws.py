@@ -13,7 +13,7 @@ from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, nodes
 from linkwright.findings import Finding, ModelError
 from linkwright.kernels.followers import follower_law
-from linkwright.kernels.law import Array, Law, Parameters
+from linkwright.kernels.law import Array, DriveLaw, Parameters
 from linkwright.kernels.motion_faults import jump
 from linkwright.kernels.motions import StatedMotion
 from linkwright.kernels.tables import StatedTable, stated_values
@@ -29,11 +29,11 @@ MAX_ROWS = 100_000
 
 def drive_laws(
     quantities: Quantities, folder: Path | None, motions: Mapping[str, StatedMotion], named: bool = True
-) -> tuple[dict[str, Law], list[Finding]]:
+) -> tuple[dict[str, DriveLaw], list[Finding]]:
     """The law of each drive (value and rates, SI) over times (s), and what is wrong with them. Unless all elements are
     ``named`` rightly there is no geometry that a follower could be laid on: those are left out."""
-    reader = _Reader(quantities, folder, motions)
-    laws: dict[str, Law] = {}
+    reader = _LawReader(quantities, folder, motions)
+    laws: dict[str, DriveLaw] = {}
     m = quantities.mechanism
     for name in (*m.drives, *(m.followers if named else ())):
         law = reader.law(name) if name in m.drives else reader.follower(name, laws)
@@ -59,18 +59,18 @@ def action_tables(quantities: Quantities, folder: Path | None) -> tuple[dict[str
     return tables, findings
 
 
-def values_at(laws: dict[str, Law], time: float) -> dict[str, float]:
+def values_at(laws: dict[str, DriveLaw], time: float) -> dict[str, float]:
     """Each drive's value (rad or m) at one time (s)."""
     return {name: float(np.asarray(law(np.array([time])).d[0]).flat[0]) for name, law in laws.items()}
 
 
-class _Reader:
+class _LawReader:
     def __init__(self, quantities: Quantities, folder: Path | None, motions: Mapping[str, StatedMotion]) -> None:
         self.quantities, self.folder, self.motions = quantities, folder, motions
         self.findings: list[Finding] = []
         self.tables: dict[str, StatedTable | None] = {}
 
-    def law(self, name: str) -> Law | None:
+    def law(self, name: str) -> DriveLaw | None:
         """A drive's law, tried at t = 0."""
         drive = self.quantities.mechanism.drives[name]
         dimension = self.quantities.drive_dimension(name)
@@ -95,7 +95,7 @@ class _Reader:
             return None
         return law
 
-    def follower(self, name: str, laws: Mapping[str, Law]) -> Law | None:
+    def follower(self, name: str, laws: Mapping[str, DriveLaw]) -> DriveLaw | None:
         """The law of a follower, behind that of its motor."""
         follower = self.quantities.mechanism.followers[name]
         motor, path = laws.get(follower.motor), self.quantities.mechanism.path_of(name)
@@ -103,22 +103,22 @@ class _Reader:
             return None
         return follower_law(self.quantities, name, self.motions, motor)
 
-    def _law(self, of: Callable[[Array, Parameters, bool], Jet], *parts: Node) -> Law:
+    def _law(self, of: Callable[[Array, Parameters, bool], Jet], *parts: Node) -> DriveLaw:
         every = [n for part in parts for n in nodes(part)]
         names = {n.text for n in every if isinstance(n, Name)}
         for n in every:
             if isinstance(n, Call) and (function := self.motions.get(n.name) or self.tables.get(n.name)) is not None:
                 names |= function.names
-        return Law(of, self.quantities.parameters, frozenset(names & self.quantities.parameters.keys()))
+        return DriveLaw(of, self.quantities.parameters, frozenset(names & self.quantities.parameters.keys()))
 
-    def _constant(self, parts: list[Node]) -> Law:
+    def _constant(self, parts: list[Node]) -> DriveLaw:
         def law(t: Array, parameters: Parameters, strict: bool) -> Jet:
             with np.errstate(all="ignore"):
                 return uniform(t, *(evaluate(node, lambda name: parameters[name.text]) for node in parts))
 
         return self._law(law, *parts)
 
-    def _expression(self, drive: str, node: Node) -> Law:
+    def _expression(self, drive: str, node: Node) -> DriveLaw:
         tables, motions = self.tables, self.motions
 
         def law(t: Array, parameters: Parameters, strict: bool) -> Jet:
@@ -186,9 +186,9 @@ def uniform(t: Array, start: Any, speed: Any, acceleration: Any = 0.0) -> Jet:
     return Jet([value, speed + acceleration * t, zero + acceleration, *[zero] * (ORDER - 2)])
 
 
-def constant_acceleration(start: float, speed: float, acceleration: float = 0.0) -> Law:
+def constant_acceleration(start: float, speed: float, acceleration: float = 0.0) -> DriveLaw:
     """A drive of constant acceleration, or of constant speed; value and speed are those at t = 0."""
-    return Law(lambda t, parameters, strict: uniform(t, start, speed, acceleration), {})
+    return DriveLaw(lambda t, parameters, strict: uniform(t, start, speed, acceleration), {})
 
 
 def _must_be_finite(drive: str, t: Array, jet: Jet) -> None:

@@ -17,7 +17,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 from linkwright.elements.cam_contact import CamFollower, cam_followers
-from linkwright.elements.cam_contact.contact import Seat, seat, sense, slant, whole
+from linkwright.elements.cam_contact.contact import CamPair, seat, sense, slant, whole
 from linkwright.expressions import units as u
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels.compiled import Compiled
@@ -53,7 +53,7 @@ class _Pose:
 
     geometry: Geometry
     motion: Motion
-    here: Seat
+    here: CamPair
     turned: Jet
     at: Jet
     phase: Scalar
@@ -101,7 +101,7 @@ class _Cut:
         found = (self.rolled if not plan.faced else self.faced if plan.turns else self.flat)(plan, pose)
         return found - self.turn
 
-    def rolled(self, plan: Seat, pose: _Pose) -> Jet:
+    def rolled(self, plan: CamPair, pose: _Pose) -> Jet:
         """With a roller or an edge: its centre on the parallel to the cut pitch curve."""
         here, motion, forward = pose.here, pose.motion, self.forward
         more, right = here.roller - plan.roller, Pair(here.way.y, -here.way.x)
@@ -141,7 +141,7 @@ class _Cut:
         found: Jet = beyond + angle + (here.offset - here.home)
         return found
 
-    def centre(self, motion: Motion, plan: Seat, at: Jet) -> tuple[Vec, Vec]:
+    def centre(self, motion: Motion, plan: CamPair, at: Jet) -> tuple[Vec, Vec]:
         """The roller's centre from the shaft as planned, in the carrier, and its derivative by the law's angle."""
         lift, slope = motion.on(at) + plan.start, motion.on(at, 1)
         if not plan.turns:
@@ -152,7 +152,7 @@ class _Cut:
         arm = Vec(angle.cos(), angle.sin()).times(plan.reach)
         return _vector(plan.pivot.minus(plan.shaft), at).plus(arm), arm.perp.times(plan.sign * slope)
 
-    def bend(self, motion: Motion, plan: Seat, at: Jet, centre: Vec, way: Vec) -> Vec:
+    def bend(self, motion: Motion, plan: CamPair, at: Jet, centre: Vec, way: Vec) -> Vec:
         """The second derivative of the roller's ``centre``, whose first one is ``way``."""
         bend = motion.on(at, 2)
         if not plan.turns:
@@ -160,7 +160,7 @@ class _Cut:
         arm = centre.minus(_vector(plan.pivot.minus(plan.shaft), at))
         return arm.perp.times(plan.sign * bend).minus(arm.times(way.dot(way) / (plan.reach * plan.reach)))
 
-    def flat(self, plan: Seat, pose: _Pose) -> Jet:
+    def flat(self, plan: CamPair, pose: _Pose) -> Jet:
         """With a sliding flat face: the tangent of the profile in the face's direction."""
         here, tilt, ahead = pose.here, self.slant - slant(pose.geometry, self.drive), pose.here.way
         c, s = call("cos", tilt), call("sin", tilt)
@@ -170,7 +170,7 @@ class _Cut:
         height: Jet = here.sign * (reach + here.aside * s) / c + here.offset
         return height
 
-    def faced(self, plan: Seat, pose: _Pose) -> Jet:
+    def faced(self, plan: CamPair, pose: _Pose) -> Jet:
         """With a swinging flat face: a tangent of the profile, by its distance from the shaft over its direction."""
         here, motion = pose.here, pose.motion
         away, planned = pose.from_cam(here.pivot), _vector(plan.pivot.minus(plan.shaft), pose.at)
@@ -191,7 +191,7 @@ class _Cut:
         found: Jet = swing(_solved(step, pose.at))[1] + (here.offset - here.home)
         return found
 
-    def distance(self, pivot: Vec, seat: Seat, angle: Jet) -> tuple[Jet, Jet]:
+    def distance(self, pivot: Vec, seat: CamPair, angle: Jet) -> tuple[Jet, Jet]:
         """A face's distance from the shaft, and its derivative by the face's direction."""
         normal = Vec(-(seat.sign * angle.sin()), seat.sign * angle.cos())
         return _along(normal, pivot) + seat.reach, _along(normal.perp, pivot)

@@ -10,7 +10,7 @@ import numpy as np
 from linkwright.elements.follower import Follower
 from linkwright.expressions.language import Call, nodes
 from linkwright.findings import Finding, Term
-from linkwright.kernels.motions import Reader, StatedMotion, rate_unit
+from linkwright.kernels.motions import MotionReader, StatedMotion, rate_unit
 from linkwright.laws import Motion, MotionError
 from linkwright.laws.motion import jumping
 from linkwright.model.mechanism import Mechanism
@@ -41,7 +41,9 @@ def law_faults(sampled: Sampled, motions: Mapping[str, StatedMotion]) -> list[Fi
         if not any(isinstance(sampled.parameters[own], np.ndarray) for own in law.names):
             continue
         for _ in range(MOST):  # the next kind of fault shows where no sample has those before
-            reader = Reader(sampled, sampled.mechanism.laws[name], {n: sampled.column(n) for n in sampled.parameters})
+            reader = MotionReader(
+                sampled, sampled.mechanism.laws[name], {n: sampled.column(n) for n in sampled.parameters}
+            )
             try:
                 with np.errstate(all="ignore"):
                     found = [*_asked(sampled, name, law, reader.motion(), askers.get(name, []))]

@@ -21,11 +21,11 @@ from linkwright.laws import (
     Blend,
     Curve,
     Dwell,
-    Fault,
     Formula,
     Law,
     Motion,
     MotionError,
+    MotionFault,
     Rise,
     Segment,
     Shape,
@@ -38,7 +38,7 @@ from linkwright.laws import (
 )
 from linkwright.laws.numbers import first, off, plain
 from linkwright.model import motions as stated
-from linkwright.model.places import Place, Scope
+from linkwright.model.places import ExpressionPlace, Scope
 from linkwright.model.quantities import Quantities
 from linkwright.model.sampled import names_in
 from linkwright.notation import Jet, Scalar
@@ -82,7 +82,7 @@ class StatedMotion(Motion):
         """At other parameters, all of them floats. Raises :class:`MotionError` where it makes no sense."""
         assert self.make is not None
         if unknown := [name for name in sorted(self.names) if not np.isfinite(parameters[name])]:
-            raise MotionError([Fault("value.not-finite", None, {"text": name}) for name in unknown])
+            raise MotionError([MotionFault("value.not-finite", None, {"text": name}) for name in unknown])
         return self if parameters is self.nominal else self.make(parameters, True)
 
     def places_at(self, law: str, parameters: Parameters) -> dict[str, Scalar]:
@@ -109,12 +109,12 @@ def motion_laws(quantities: Quantities) -> tuple[dict[str, StatedMotion], list[F
     """The motion of each law of a mechanism (SI), and what is wrong with them."""
     made: dict[str, StatedMotion] = {}
     findings: list[Finding] = []
-    resolve, places = quantities.dimensions.resolve, defaultdict[Any, list[Place]](list)
+    resolve, places = quantities.dimensions.resolve, defaultdict[Any, list[ExpressionPlace]](list)
     for place in quantities.places:
         if place.path[0] == "laws":
             places[place.path[1]].append(place)
     for name, law in quantities.mechanism.laws.items():
-        reader = Reader(quantities, law, quantities.parameters)
+        reader = MotionReader(quantities, law, quantities.parameters)
         fixed = [place for place in places[name] if place.scope is Scope.CONSTANT]
         if not all(isfinite(reader.number(place.expression, resolve(place.wanted))) for place in fixed):
             continue  # told where all numbers are looked at
@@ -138,7 +138,7 @@ def motion_laws(quantities: Quantities) -> tuple[dict[str, StatedMotion], list[F
 
 
 def _made(quantities: Quantities, law: stated.MotionLaw, parameters: Parameters, checked: bool) -> Motion:
-    return Reader(quantities, law, parameters).motion(checked)
+    return MotionReader(quantities, law, parameters).motion(checked)
 
 
 def rate_unit(quantities: Quantities, law: stated.MotionLaw, order: int) -> tuple[str, float]:
@@ -149,7 +149,7 @@ def rate_unit(quantities: Quantities, law: stated.MotionLaw, order: int) -> tupl
 
 
 @dataclass
-class Reader:
+class MotionReader:
     """Makes the motion of a law at some parameters."""
 
     quantities: Quantities
@@ -164,7 +164,7 @@ class Reader:
             try:
                 segments.append(self.segment(entry))
             except _WrongError as wrong:
-                faults.append(Fault(wrong.code, i, wrong.data, wrong.where))
+                faults.append(MotionFault(wrong.code, i, wrong.data, wrong.where))
         if faults:
             raise MotionError(faults)
         period = 2 * pi if self.law.over == "angle" and self.law.beyond != "hold" else None
@@ -187,7 +187,7 @@ class Reader:
     def numbers(self, of: tuple[Expression, ...] | None, dimension: Dimension = PURE) -> list[Scalar]:
         return [self.number(each, dimension) for each in of or ()]
 
-    def segment(self, s: stated.Segment) -> Segment:
+    def segment(self, s: stated.SegmentEntry) -> Segment:
         over, axis, value = self.number(s.width, self.law.axis), self.law.axis, self.law.value
         if s.dwell is not None:
             return Dwell(over)
@@ -209,12 +209,12 @@ class Reader:
         via = tuple((self.number(x, axis), self.number(y, value)) for x, y in s.via or ())
         return Blend(over, lift, self.rates(s, s.from_), self.rates(s, s.to), via, stated.DEGREES.get(s.spline or ""))
 
-    def rates(self, s: stated.Segment, given: tuple[Expression, ...] | None) -> tuple[Scalar | None, ...]:
+    def rates(self, s: stated.SegmentEntry, given: tuple[Expression, ...] | None) -> tuple[Scalar | None, ...]:
         """The rates at an end: those given, then those of the neighbour."""
         own = [self.number(rate, self.law.rate(k)) for k, rate in enumerate(given or (), start=1)]
         return (*own, *[None] * (stated.MATCHED.get(s.match or "", 0) - len(own)))
 
-    def normalised(self, s: stated.Segment) -> Curve:
+    def normalised(self, s: stated.SegmentEntry) -> Curve:
         """The law of a rise or fall."""
         if s.formula is not None:
             return self.formula(s.formula)
@@ -261,7 +261,7 @@ class Reader:
             self.refuse("law.not-smooth", ~np.all(smooth, axis=0) & ~_unknown(own))
         return curve
 
-    def finding(self, name: str, fault: Fault) -> Finding:
+    def finding(self, name: str, fault: MotionFault) -> Finding:
         """A fault of a motion in the units of the file."""
         path = ("laws", name) if fault.segment is None else ("laws", name, "segments", fault.segment)
         dimension = self.law.axis if fault.code == "law.period" else self.law.value

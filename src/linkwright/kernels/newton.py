@@ -13,13 +13,13 @@ from linkwright.graph.program import ACCEPTED, MOST_STEPS, SOLVED, NewtonStage
 Array = NDArray[np.float64]
 
 
-class Closure(Protocol):
+class ClosureValues(Protocol):
     """A closure's misses and slopes over poses: (n + n * n, poses)."""
 
     def run(self, x: Array, p: Array) -> Array: ...
 
 
-def solve(stages: Sequence[NewtonStage], closures: Sequence[Closure], x: Array, p: Array) -> Array:
+def solve(stages: Sequence[NewtonStage], closures: Sequence[ClosureValues], x: Array, p: Array) -> Array:
     """The inputs (inputs, poses) with the rows of all stages solved, NaN where they can't be."""
     if not stages:
         return x
@@ -29,7 +29,7 @@ def solve(stages: Sequence[NewtonStage], closures: Sequence[Closure], x: Array, 
     return x
 
 
-def _solve(stage: NewtonStage, closure: Closure, x: Array, p: Array) -> None:
+def _solve(stage: NewtonStage, closure: ClosureValues, x: Array, p: Array) -> None:
     """Solve one stage in place. A pose is left alone once it is solved, so that no other has a say in its digits."""
     rows, n = np.array(stage.rows), len(stage.rows)
     scale = np.array(stage.scale)[:, None]

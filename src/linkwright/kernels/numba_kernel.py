@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from linkwright._machine import needed
 from linkwright.graph.program import Program
 from linkwright.kernels import code_cache
-from linkwright.kernels.numba_source import Source
+from linkwright.kernels.numba_source import KernelSource
 from linkwright.kernels.registry import flattened, register
 
 Array = NDArray[np.float64]
@@ -51,12 +51,12 @@ class NumbaKernel:
         if form not in self._forms:
             with _LOCK:
                 if form not in self._forms:
-                    self._forms[form] = _module(str(Source.fitting(self.program, form))).run
+                    self._forms[form] = _module(str(KernelSource.fitting(self.program, form))).run
         return self._forms[form]
 
     def kept(self, form: str = "apart") -> bool:
         """Whether a form is at hand without compiling."""
-        return form in self._forms or code_cache.kept(str(Source.fitting(self.program, form)), _about())
+        return form in self._forms or code_cache.kept(str(KernelSource.fitting(self.program, form)), _about())
 
     def run(self, x: Array, p: Array, out: Array | None = None) -> Array:
         poses = x.shape[1]

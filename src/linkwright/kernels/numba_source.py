@@ -80,7 +80,7 @@ class _Rows:
         self.free.append(self.places.pop(key))
 
 
-class Source:
+class KernelSource:
     """The generated text of a program in one of the :data:`FORMS`, with what its caller has to know."""
 
     def __init__(self, program: Program, form: str, lanes: int = LANES[0]) -> None:
@@ -111,7 +111,7 @@ class Source:
         self.text.append(self._entry(steps))
 
     @classmethod
-    def fitting(cls, program: Program, form: str) -> Source:
+    def fitting(cls, program: Program, form: str) -> KernelSource:
         """The text with as many lanes as a core's first cache has room for."""
         for lanes in LANES:
             source = cls(program, form, lanes)
@@ -169,7 +169,7 @@ class Source:
 class _Block:
     """The functions of one block of expressions, whose outputs go to the rows ``out``."""
 
-    def __init__(self, source: Source, tag: str, listing: Listing, out: str) -> None:
+    def __init__(self, source: KernelSource, tag: str, listing: Listing, out: str) -> None:
         self.source, self.tag, self.listing, self.out = source, tag, listing, out
         self.places = [source.form[needs] for needs in listing.needs]
         self.chunks: dict[str, list[list[int]]] = {SCALAR: [], SHARED: [], OWN: []}

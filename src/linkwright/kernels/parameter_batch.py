@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from linkwright.expressions.unknown import near
 from linkwright.findings import Finding, raise_errors
-from linkwright.graph.rows import Named, Reach
+from linkwright.graph.rows import Named, ReachRow
 from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.continuation_batch import MOST, Pursued, Pursuit
 from linkwright.kernels.external_inputs import Supply
@@ -143,7 +143,7 @@ class Varied:
         first[0, np.isnan(p).any(axis=0)] = t[0] if t.size else 0.0
         if t.size:
             labels = [cause.of.label for cause in self.causes if isinstance(cause.of, Group)]
-            engine = self.kernel([Reach(label) for label in labels], kernel=kernel) if labels else None
+            engine = self.kernel([ReachRow(label) for label in labels], kernel=kernel) if labels else None
             used = frozenset(range(len(self.graph.motion_inputs)))
             self._gather(p, used, kernel)
             for some in _chunks(p.shape[1], t.size):
@@ -213,22 +213,22 @@ class Varied:
         return x
 
     def _gather(self, p: Array, used: frozenset[int], kernel: str) -> None:
-        """Let what follows the clusters know all samples, where it is asked for some at a time."""
+        """Let what follows the higher groups know all samples, where it is asked for some at a time."""
         if (pursued := self._pursuer(used, kernel)) is not None:
             pursued.gather(p)
 
     def _pursuer(self, used: frozenset[int], kernel: str) -> Pursued | None:
-        """What follows the clusters with a kernel, where inputs that are ``used`` depend on them."""
-        clusters = self.compiled.structure.clusters
-        if not clusters or not any(row >= self.graph.first_unknown for row in used):
+        """What follows the higher groups with a kernel, where inputs that are ``used`` depend on them."""
+        higher_groups = self.compiled.structure.higher_groups
+        if not higher_groups or not any(row >= self.graph.first_unknown for row in used):
             return None
         return _kept(self._pursued, kernel, lambda: self._pursuing(kernel))
 
     def _pursuing(self, kernel: str) -> Pursued:
-        """What follows the clusters with a kernel."""
-        assembly, clusters = self.compiled.assembly, self.compiled.structure.clusters
-        pursuit = Pursuit(self.graph, clusters, assembly.size(), kernel)
-        start = np.concatenate([assembly.starts[cluster] for cluster in clusters])
+        """What follows the higher groups with a kernel."""
+        assembly, higher_groups = self.compiled.assembly, self.compiled.structure.higher_groups
+        pursuit = Pursuit(self.graph, higher_groups, assembly.size(), kernel)
+        start = np.concatenate([assembly.starts[higher_group] for higher_group in higher_groups])
         return Pursued(pursuit, start, self.compiled.parameters, self._drives)
 
     def _supply(self, x: Array, p: Array, t: Array, kernel: str) -> None:

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression
 from linkwright.findings import Finding
-from linkwright.kernels.law import Law
+from linkwright.kernels.law import DriveLaw
 from linkwright.kernels.laws import values_at
 from linkwright.model.desugar import Spelled
 from linkwright.model.plausible import amount
@@ -18,7 +18,7 @@ NEAR = math.radians(0.1)
 """A start this near to the drawn angle (rad) is the drawn one, rounded; of a length, its share of that."""
 
 
-def moved_starts(spelled: Spelled, quantities: Quantities, laws: Mapping[str, Law]) -> list[Finding]:
+def moved_starts(spelled: Spelled, quantities: Quantities, laws: Mapping[str, DriveLaw]) -> list[Finding]:
     """A warning for each drive that starts elsewhere than drawn, and doesn't say so by ``sketch``."""
     findings, starts = [], values_at(dict(laws), 0.0)
     for name, text in spelled.drawn.items():

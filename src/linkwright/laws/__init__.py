@@ -7,7 +7,7 @@ from linkwright.laws.pieces import Formula, Piece, Wave
 from linkwright.laws.polynomials import of_powers, polynomial
 from linkwright.laws.registry import LAWS, Law
 from linkwright.laws.scca import scca, scca_by_widths
-from linkwright.laws.segments import Blend, Dwell, Fault, MotionError, Rise, Segment, Shape
+from linkwright.laws.segments import Blend, Dwell, MotionError, MotionFault, Rise, Segment, Shape
 from linkwright.laws.splines import b_spline, spline
 from linkwright.laws.step import step5
 from linkwright.laws.table import DEGREES, OutsideTable, TableLaw
@@ -19,12 +19,12 @@ __all__ = [
     "Curve",
     "Dwell",
     "Extreme",
-    "Fault",
     "Formula",
     "Join",
     "Law",
     "Motion",
     "MotionError",
+    "MotionFault",
     "OutsideTable",
     "Piece",
     "Rise",

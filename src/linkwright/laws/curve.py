@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.laws.numbers import backward, plain, settled
-from linkwright.laws.pieces import Part, Piece
+from linkwright.laws.pieces import Piece, SmoothPart
 from linkwright.laws.stacked import Stack
 from linkwright.notation import Jet, Scalar
 from linkwright.notation.duals import Dual, slope_of, value_of
@@ -64,7 +64,7 @@ class Join:
 class Curve:
     """Pieces that follow one another without gaps."""
 
-    parts: tuple[Part, ...]
+    parts: tuple[SmoothPart, ...]
 
     @property
     def start(self) -> Scalar:
@@ -208,7 +208,7 @@ def followed(x: Any, at: Any, order: int) -> Any:
     return value
 
 
-def rates(part: Part, x: Scalar, highest: int = SMOOTH) -> tuple[Scalar, ...]:
+def rates(part: SmoothPart, x: Scalar, highest: int = SMOOTH) -> tuple[Scalar, ...]:
     """The derivatives 0 to ``highest`` of a piece at one place."""
     at = np.asarray(x) if plain(x) else x
     return tuple(settled(part.at(at, order)) for order in range(highest + 1))
@@ -223,11 +223,11 @@ def _merged(found: list[tuple[Any, Any, Any]], shape: tuple[int, ...]) -> Array:
     return merged
 
 
-def _grid(part: Part) -> Array:
+def _grid(part: SmoothPart) -> Array:
     return np.linspace(part.start, part.stop, part.fineness + 1)
 
 
-def _candidates(part: Part, order: int) -> Array:
+def _candidates(part: SmoothPart, order: int) -> Array:
     """Where a derivative of a piece may be largest or smallest: its ends, and the zeros of the next derivative."""
     grid = _grid(part)
     slope = part.at(grid, order + 1)

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from linkwright.laws.curve import ROUND_OFF, SMOOTH, Curve, Extreme, Join, composed, followed, rates
 from linkwright.laws.numbers import first, off, plain
-from linkwright.laws.pieces import Part
-from linkwright.laws.segments import Fault, MotionError, Segment
+from linkwright.laws.pieces import SmoothPart
+from linkwright.laws.segments import MotionError, MotionFault, Segment
 from linkwright.notation import Jet, Scalar
 from linkwright.notation.duals import value_of
 from linkwright.notation.jets import call
@@ -179,18 +179,20 @@ def _check_each(segments: Sequence[Segment]) -> None:
     """Raises what is wrong with segments by themselves."""
     lengths = [value_of(segment.over) for segment in segments]
     wrong = [~((x >= SHORTEST) & (x <= LONGEST)) & ~((np.ndim(x) > 0) & np.isnan(x)) for x in map(np.asarray, lengths)]
-    _raise([Fault("law.over", i, where=where) for i, where in enumerate(wrong)])
+    _raise([MotionFault("law.over", i, where=where) for i, where in enumerate(wrong)])
     _raise([fault for i, segment in enumerate(segments) for fault in segment.faults(i)])
 
 
-def _unequal(segments: Sequence[Segment], start: Scalar, period: Scalar | None, beyond: Beyond) -> Iterator[Fault]:
+def _unequal(
+    segments: Sequence[Segment], start: Scalar, period: Scalar | None, beyond: Beyond
+) -> Iterator[MotionFault]:
     """Segments that don't add up."""
     if period is not None:
         widths = [segment.over for segment in segments]
         whole: Scalar = sum(widths)
         wrong = off(whole - period, period, CLOSE, [*widths, period])
         told = {"sum": first(whole, wrong), "period": first(period, wrong)} if np.any(wrong) else {}
-        yield Fault("law.period", None, told, wrong)
+        yield MotionFault("law.period", None, told, wrong)
     lifts = [segment.lift for segment in segments]
     heights = [*accumulate(lifts, initial=start)]
     if beyond == "repeat":
@@ -198,10 +200,10 @@ def _unequal(segments: Sequence[Segment], start: Scalar, period: Scalar | None, 
         span = _most([_most(sizes) - _most(sizes, -1), CLOSE * _most(map(np.abs, sizes)), *map(_size, lifts)])
         wrong = off(heights[-1] - heights[0], span, CLOSE, lifts)
         told = {"start": first(heights[0], wrong), "end": first(heights[-1], wrong)} if np.any(wrong) else {}
-        yield Fault("law.not-closed", None, told, wrong)
+        yield MotionFault("law.not-closed", None, told, wrong)
 
 
-def _raise(faults: Sequence[Fault]) -> None:
+def _raise(faults: Sequence[MotionFault]) -> None:
     if faults := [fault for fault in faults if np.any(fault.where)]:
         raise MotionError(faults)
 
@@ -217,7 +219,7 @@ def _most(values: Iterable[Any], sign: int = 1) -> Any:
 
 def _ends(
     segments: Sequence[Segment], beyond: Beyond
-) -> tuple[list[tuple[tuple[Scalar, ...], tuple[Scalar, ...]]], list[Fault]]:
+) -> tuple[list[tuple[tuple[Scalar, ...], tuple[Scalar, ...]]], list[MotionFault]]:
     """The rates that each segment asks for at both ends, those of its neighbours where it leaves them open."""
     if all(rate is not None for segment in segments for end in segment.open for rate in end):
         return [segment.open for segment in segments], []
@@ -240,14 +242,14 @@ def _ends(
             given = [beside.get(k) if rate is None else rate for k, rate in enumerate(end, start=1)]
             if any(rate is None for rate in given):
                 faults.append(
-                    Fault("law.open-end", i, {"side": "end" if side else "start", "other": other % count + 1})
+                    MotionFault("law.open-end", i, {"side": "end" if side else "start", "other": other % count + 1})
                 )
             asked.append(tuple(0.0 if rate is None else rate for rate in given))
         found.append((asked[0], asked[1]))
     return found, faults
 
 
-def _unmirrored(segments: Sequence[Segment], curves: Sequence[Curve], made: Motion) -> list[Fault]:
+def _unmirrored(segments: Sequence[Segment], curves: Sequence[Curve], made: Motion) -> list[MotionFault]:
     """Laws that end with an acceleration where no mirror image of theirs goes on with it."""
     if not any(segment.mirrored for segment in segments):
         return []
@@ -257,13 +259,13 @@ def _unmirrored(segments: Sequence[Segment], curves: Sequence[Curve], made: Moti
     row = [*(around or ends[-1:]), *ends, *(around or ends[:1])]
     jumps = [made.curve.jumps(after[0][2] - before[1][2], 2, ALIKE) for before, after in pairwise(row)]
     return [
-        Fault("law.end-acceleration", i, {"law": segment.mirrored}, jumps[i] | jumps[i + 1])
+        MotionFault("law.end-acceleration", i, {"law": segment.mirrored}, jumps[i] | jumps[i + 1])
         for i, segment in enumerate(segments)
         if segment.mirrored and np.any(jumps[i] | jumps[i + 1])
     ]
 
 
-def _outer(curve: Curve) -> tuple[tuple[Part, Scalar], tuple[Part, Scalar]]:
+def _outer(curve: Curve) -> tuple[tuple[SmoothPart, Scalar], tuple[SmoothPart, Scalar]]:
     """The pieces at its ends, with these."""
     return (curve.parts[0], curve.start), (curve.parts[-1], curve.stop)
 

@@ -21,7 +21,7 @@ ROUND_OFF = 1e-14
 """How far a wave's half turns may be off a whole number that they are meant to be, over them."""
 
 
-class Part(Protocol):
+class SmoothPart(Protocol):
     """A smooth stretch of a curve from ``start`` to ``stop``."""
 
     @property
@@ -41,7 +41,7 @@ class Part(Protocol):
     def at(self, x: Any, order: int) -> Any:
         """A derivative by the argument; order 0 is the value. The argument may be a number of the law's own."""
 
-    def moved(self, offset: Scalar, width: Scalar, scale: Scalar, base: Scalar) -> Part:
+    def moved(self, offset: Scalar, width: Scalar, scale: Scalar, base: Scalar) -> SmoothPart:
         """``base + scale * part((x - offset) / width)``; a negative width runs it backwards."""
 
     def text(self, x: str) -> str:

@@ -12,7 +12,7 @@ import numpy as np
 
 from linkwright.laws.curve import ROUND_OFF, SMOOTH, Curve, Extreme
 from linkwright.laws.numbers import plain
-from linkwright.laws.pieces import Part, Piece
+from linkwright.laws.pieces import Piece, SmoothPart
 from linkwright.notation import Scalar
 from linkwright.notation.duals import value_of
 from linkwright.notation.jets import call
@@ -75,7 +75,7 @@ class Law(Curve):
         return np.any(np.abs(value_of(self.at(u) + self.at(1 - u)) - 1) >= ROUND_OFF, axis=-1, keepdims=not self.plain)
 
 
-def clipped(part: Part, low: float, high: float) -> Piece | None:
+def clipped(part: SmoothPart, low: float, high: float) -> Piece | None:
     """A piece of a closed form between two places, None where nothing of it lies there."""
     assert isinstance(part, Piece)
     if plain(part.start, part.stop):

@@ -29,7 +29,7 @@ Rates = tuple[Scalar | None, ...]
 
 
 @dataclass(frozen=True)
-class Fault:
+class MotionFault:
     """What is wrong with a motion: a code, the segment (None: the motion as a whole), the data of its sentence;
     ``where`` says of which samples."""
 
@@ -42,7 +42,7 @@ class Fault:
 class MotionError(ValueError):
     """A motion that can't be; ``faults`` says all that is wrong."""
 
-    def __init__(self, faults: Sequence[Fault]) -> None:
+    def __init__(self, faults: Sequence[MotionFault]) -> None:
         super().__init__("; ".join(f"{fault.code} in segment {fault.segment}: {fault.data}" for fault in faults))
         self.faults = tuple(faults)
 
@@ -65,7 +65,7 @@ class Segment(Protocol):
     def open(self) -> tuple[Rates, Rates]:
         """The rates at its start and end that it has by itself, or takes from its neighbours (None)."""
 
-    def faults(self, number: int) -> list[Fault]:
+    def faults(self, number: int) -> list[MotionFault]:
         """What is wrong with it by itself; it has this number."""
 
     def curve(self, start: Sequence[Scalar], end: Sequence[Scalar]) -> Curve:
@@ -81,7 +81,7 @@ class Dwell:
     mirrored: ClassVar[str] = ""
     open: ClassVar[tuple[Rates, Rates]] = ((), ())
 
-    def faults(self, number: int) -> list[Fault]:
+    def faults(self, number: int) -> list[MotionFault]:
         return []
 
     def curve(self, start: Sequence[Scalar], end: Sequence[Scalar]) -> Curve:
@@ -102,13 +102,13 @@ class Rise:
     def mirrored(self) -> str:
         return self.law.name if isinstance(self.law, Law) and self.law.mirrored else ""
 
-    def faults(self, number: int) -> list[Fault]:
+    def faults(self, number: int) -> list[MotionFault]:
         ends = value_of(self.law.at([0.0, 1.0]))
         wrong = np.any(np.abs(ends - [0.0, 1.0]) > 1e-9, axis=-1, keepdims=not self.law.plain)
         if not np.any(wrong):
             return []
         start, end = (f"{first(ends[..., i : i + 1] if np.ndim(wrong) else ends[i], wrong):.6g}" for i in range(2))
-        return [Fault("law.not-normal", number, {"start": start, "end": end}, wrong)]
+        return [MotionFault("law.not-normal", number, {"start": start, "end": end}, wrong)]
 
     def curve(self, start: Sequence[Scalar], end: Sequence[Scalar]) -> Curve:
         if self.fall:
@@ -136,17 +136,17 @@ class Blend:
     def open(self) -> tuple[Rates, Rates]:
         return self.start, self.end
 
-    def faults(self, number: int) -> list[Fault]:
+    def faults(self, number: int) -> list[MotionFault]:
         places = [0.0, *(x for x, _ in self.via), self.over]
         near = [value_of(b - a) < CLOSEST * value_of(self.over) for a, b in pairwise(places)]
         if np.any(wrong := reduce(np.logical_or, near)):
-            return [Fault("law.via", number, where=wrong)]
+            return [MotionFault("law.via", number, where=wrong)]
         count = 2 + len(self.start) + len(self.end) + len(self.via)
         if self.degree is None and count > MOST:
-            return [Fault("law.conditions", number, {"count": count, "limit": MOST})]
+            return [MotionFault("law.conditions", number, {"count": count, "limit": MOST})]
         half = ((self.degree or 0) - 1) // 2
         if self.degree and (len(self.start) != half or len(self.end) != half):
-            return [Fault("law.end-rates", number, {"degree": self.degree, "wanted": half})]
+            return [MotionFault("law.end-rates", number, {"degree": self.degree, "wanted": half})]
         return []
 
     def curve(self, start: Sequence[Scalar], end: Sequence[Scalar]) -> Curve:
@@ -177,7 +177,7 @@ class Shape:
     def _end(self, side: int) -> Scalar:
         return settled(self.shape.parts[-side].at(np.asarray(float(side)), 0))
 
-    def faults(self, number: int) -> list[Fault]:
+    def faults(self, number: int) -> list[MotionFault]:
         return []
 
     def curve(self, start: Sequence[Scalar], end: Sequence[Scalar]) -> Curve:

@@ -6,15 +6,15 @@ from linkwright.measures.enclosed import enclose
 from linkwright.measures.found import MeasureResult
 from linkwright.measures.measure import Measurer, measure_all
 from linkwright.measures.probe import Probe, Search
-from linkwright.measures.reading import Reading
+from linkwright.measures.signal_in_run import SignalInRun
 
 __all__ = [
     "BoundMeasure",
     "MeasureResult",
     "Measurer",
     "Probe",
-    "Reading",
     "Search",
+    "SignalInRun",
     "bound",
     "enclose",
     "measure_all",

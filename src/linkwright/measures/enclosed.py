@@ -11,7 +11,7 @@ from linkwright.enclosures import Claim, Proof, prove_all
 from linkwright.measures.check import ROUND_OFF
 from linkwright.measures.found import MeasureResult
 from linkwright.measures.measure import Measurer
-from linkwright.reductions import Grade, Kind, kind_of
+from linkwright.reductions import Grade, ProofKind, kind_of
 
 BUDGET = 1200
 """Panels that are evaluated at most for the measures of a run."""
@@ -60,6 +60,6 @@ def _graded(result: MeasureResult, proof: Proof | None) -> MeasureResult:
     if proof is None:
         return result
     if proof.done:
-        return replace(result, found=tuple(replace(found, grade=Grade(Kind.ENCLOSED)) for found in result.found))
+        return replace(result, found=tuple(replace(found, grade=Grade(ProofKind.ENCLOSED)) for found in result.found))
     grades = (replace(found, grade=replace(found.grade, reason=proof.reason)) for found in result.found)
     return replace(result, found=tuple(grades))

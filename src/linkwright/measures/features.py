@@ -21,7 +21,7 @@ Find = Callable[[Name | Call], Signal]
 """Gives the signal that a node names."""
 
 
-class Kind(Enum):
+class ZeroKind(Enum):
     """What a zero of a break function may do to the expression."""
 
     POLE = "pole"
@@ -32,7 +32,7 @@ class Kind(Enum):
     @property
     def hard(self) -> bool:
         """Whether the expression need not be continuous there."""
-        return self is not Kind.KINK
+        return self is not ZeroKind.KINK
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,7 @@ class Feature:
     """A break function (bound to SI) and what its zeros may mean."""
 
     node: Node
-    kind: Kind
+    kind: ZeroKind
 
 
 def features(node: Node, find: Find) -> list[Feature]:
@@ -89,22 +89,22 @@ def _own(node: Node, find: Find) -> Iterator[Feature]:
     if is_signal(node):
         assert isinstance(node, Name | Call)
         if (divisor := denominator(find(node))) is not None:
-            yield Feature(divisor, Kind.POLE)
+            yield Feature(divisor, ZeroKind.POLE)
     elif isinstance(node, Binary) and node.op == "/":
-        yield from (Feature(factor, Kind.POLE) for factor in _factors(node.right))
+        yield from (Feature(factor, ZeroKind.POLE) for factor in _factors(node.right))
     elif isinstance(node, Binary) and node.op == "^":
         yield from _of_power(node.left, node.right)
     elif isinstance(node, Call):
         rule = _FUNCTIONS.get(node.name)
         yield from rule(node) if rule else ()
-        yield from (Feature(switch, Kind.KINK) for switch in switches(node))
+        yield from (Feature(switch, ZeroKind.KINK) for switch in switches(node))
 
 
 def _of_power(base: Node, exponent: Node) -> Iterator[Feature]:
     power = constant(exponent)
     if power is not None and power >= 0 and power == int(power):
         return
-    kind = Kind.POLE if power is not None and power < 0 else Kind.EDGE
+    kind = ZeroKind.POLE if power is not None and power < 0 else ZeroKind.EDGE
     yield from (Feature(factor, kind) for factor in _factors(base))
 
 
@@ -134,26 +134,26 @@ def _factors(node: Node) -> Iterator[Node]:
 
 
 def _tan(node: Call) -> Iterator[Feature]:
-    yield Feature(Call("cos", node.args), Kind.POLE)
+    yield Feature(Call("cos", node.args), ZeroKind.POLE)
 
 
 def _edge(node: Call) -> Iterator[Feature]:
-    yield from (Feature(factor, Kind.EDGE) for factor in _factors(node.args[0]))
+    yield from (Feature(factor, ZeroKind.EDGE) for factor in _factors(node.args[0]))
 
 
 def _arc(node: Call) -> Iterator[Feature]:
     one = Number(1.0)
-    yield Feature(Binary("-", one, node.args[0]), Kind.EDGE)
-    yield Feature(Binary("+", one, node.args[0]), Kind.EDGE)
+    yield Feature(Binary("-", one, node.args[0]), ZeroKind.EDGE)
+    yield Feature(Binary("+", one, node.args[0]), ZeroKind.EDGE)
 
 
 def _atan2(node: Call) -> Iterator[Feature]:
-    yield Feature(node.args[0], Kind.JUMP)
+    yield Feature(node.args[0], ZeroKind.JUMP)
 
 
 def _hypot(node: Call) -> Iterator[Feature]:
     square = [Binary("^", arg, Number(2.0)) for arg in node.args]
-    yield Feature(Binary("+", *square), Kind.KINK)
+    yield Feature(Binary("+", *square), ZeroKind.KINK)
 
 
 _FUNCTIONS: dict[str, Callable[[Call], Iterator[Feature]]] = {

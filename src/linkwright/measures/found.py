@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from linkwright.expressions.units import Dimension
-from linkwright.reductions import Found, Measure
+from linkwright.reductions import FoundFigure, Measure
 
 
 @dataclass(frozen=True)
@@ -17,7 +17,7 @@ class MeasureResult:
     dimension: Dimension
     unit: str
     size: float
-    found: tuple[Found, ...]
+    found: tuple[FoundFigure, ...]
     requirement: str | None = None
     verdict: bool | None = None
 

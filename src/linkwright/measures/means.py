@@ -26,7 +26,7 @@ BESIDE = 1e-6
 
 
 @dataclass(frozen=True)
-class Edge:
+class StretchEnd:
     """An end of a stretch (s): over ``width`` from it the integral comes from ``side``, which has a limit or a pole."""
 
     time: float
@@ -34,7 +34,7 @@ class Edge:
     side: Side | None
 
     @classmethod
-    def beside(cls, time: float, side: Side | None, length: float) -> Edge:
+    def beside(cls, time: float, side: Side | None, length: float) -> StretchEnd:
         """The end of a stretch of some length."""
         if side is None:
             return cls(time, 0.0, None)
@@ -46,7 +46,7 @@ class Edge:
 
 
 @dataclass(frozen=True)
-class Mean:
+class MeanValue:
     """A mean, how much of it still changed when its panels were halved, over the mean magnitude, and that ``size``."""
 
     value: float
@@ -71,14 +71,14 @@ def mean(
     power: int,
     first: int,
     rule: int = 0,
-) -> Mean:
+) -> MeanValue:
     """The mean of a power of a function over the panels of stretches, each halved until its integral stands.
 
     ``edges(count)`` gives the panels of each stretch, ``ends`` the integral over what lies between them and singular
     places.
     """
     if not math.isfinite(ends):
-        return Mean(ends, 0.0, abs(ends))
+        return MeanValue(ends, 0.0, abs(ends))
     factor, points = RULES[rule]
 
     def integrals(lows: Array, highs: Array) -> Array:
@@ -110,4 +110,4 @@ def mean(
         more = np.tile(~stands, 2)
         lows, highs, here = np.append(lows, middle)[more], np.append(middle, highs)[more], halves[:, more]
     size = float(total[1]) + abs(ends)
-    return Mean((float(total[0]) + ends) / length, left / size if size > 0 else 0.0, size / length)
+    return MeanValue((float(total[0]) + ends) / length, left / size if size > 0 else 0.0, size / length)

@@ -14,9 +14,9 @@ from linkwright.findings import Finding
 from linkwright.measures.bound_measure import BoundMeasure, bound
 from linkwright.measures.found import MeasureResult
 from linkwright.measures.probe import Probe, Search
-from linkwright.measures.reading import Reading, whole
+from linkwright.measures.signal_in_run import SignalInRun, whole
 from linkwright.model.bound_window import BoundWindow
-from linkwright.reductions import Found, Unmeasured
+from linkwright.reductions import FoundFigure, Unmeasured
 from linkwright.results import Run
 from linkwright.results.windows import intervals
 
@@ -61,7 +61,7 @@ class Measurer:
 
     def one(self, measure: BoundMeasure) -> MeasureResult:
         """One measure; what it lacks is a finding."""
-        quantities, found = self.run.compiled.quantities, tuple[Found, ...]()
+        quantities, found = self.run.compiled.quantities, tuple[FoundFigure, ...]()
         try:
             found = self.found(measure)
         except Unmeasured as why:
@@ -77,14 +77,14 @@ class Measurer:
         unit = measure.unit(quantities)
         return MeasureResult(measure.name, measure.entry, measure.dimension, *unit, found, requirement, verdict)
 
-    def reading(self, measure: BoundMeasure) -> Reading:
+    def reading(self, measure: BoundMeasure) -> SignalInRun:
         """A measure over its window. Raises :class:`Unmeasured` where nothing of the run lies in that."""
         probe = self.probe(measure)
         if not probe.intervals:
             raise Unmeasured("measure.nothing")
-        return Reading(probe, measure.entry, lambda key: self.probe(measure, key))
+        return SignalInRun(probe, measure.entry, lambda key: self.probe(measure, key))
 
-    def found(self, measure: BoundMeasure) -> tuple[Found, ...]:
+    def found(self, measure: BoundMeasure) -> tuple[FoundFigure, ...]:
         """The numbers of a measure. Raises :class:`Unmeasured` where it has none."""
         kind, reading = measure.kind, self.reading(measure)
         if kind.everywhere:

@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.language import Call, Name, Node, nodes
-from linkwright.graph.rows import Determinant, Reach, Row, spans
-from linkwright.measures.features import Feature, Find, Kind, features
-from linkwright.measures.search import STILL, Pieces, Rates, turning, zeros
+from linkwright.graph.rows import Determinant, ReachRow, Row, spans
+from linkwright.measures.features import Feature, Find, ZeroKind, features
+from linkwright.measures.search import STILL, Rates, RunPieces, turning, zeros
 from linkwright.results import Run
 from linkwright.results.discontinuities import ASIDE, argument_of, knots, law_joins, positions
 from linkwright.results.discontinuities import zeros as zeros_of
@@ -54,7 +54,7 @@ class Hard:
 
 
 @dataclass
-class Places:
+class BreakPlaces:
     """The places of a run for some expressions (bound to SI): ``hard`` ones of each, the ``pieces`` between all cuts.
 
     ``noticed`` are times (s) to look at closely besides. ``settled``: whether the searches have stood still.
@@ -64,7 +64,7 @@ class Places:
     trees: Sequence[Node]
     noticed: Sequence[float] = ()
     hard: dict[Node, list[Hard]] = field(default_factory=dict)
-    pieces: Pieces = field(init=False)
+    pieces: RunPieces = field(init=False)
     settled: bool = True
 
     def __post_init__(self) -> None:
@@ -147,7 +147,7 @@ class Places:
                 touched = least[(size <= TOUCH * known.max()) & alone]
                 self._zeros[row] = np.union1d(crossed[i], touched)
                 self._cuts.append(self._zeros[row] if row.kind.hard else crossed[i])
-                near = near if row.kind is Kind.KINK else np.union1d(near, crossed[i])
+                near = near if row.kind is ZeroKind.KINK else np.union1d(near, crossed[i])
             if near.size:
                 self._more.append(self._narrow(rates, i, near, turned.width))
 
@@ -185,7 +185,7 @@ class Places:
                 found.append((t, [k]))
         return [Hard(t, tuple(some[k] for k in which)) for t, which in found]
 
-    def _pieces(self) -> Pieces:
+    def _pieces(self) -> RunPieces:
         """What lies between all cuts known so far."""
         run = self.run
         aside = ASIDE[0] * (run.stop - run.start)
@@ -201,7 +201,7 @@ class Places:
         first = np.flatnonzero(apart)
         after = np.maximum.reduceat(after, first) if first.size else after
         low, high = np.clip(before[apart], run.start, run.stop), np.clip(after, run.start, run.stop)
-        return Pieces(run.start, run.stop, low, high, np.concatenate([*self._more, np.empty(0)]))
+        return RunPieces(run.start, run.stop, low, high, np.concatenate([*self._more, np.empty(0)]))
 
 
 def vague(run: Run, trees: Sequence[Node], t: Array) -> list[bool]:
@@ -235,8 +235,8 @@ def _values(run: Run, node: Node, t: Array) -> Array:
 def _groups(run: Run) -> list[Row]:
     """The rows that vanish where a group is singular: rates and forces are divided by them."""
     structure = run.compiled.structure
-    rows = [(Reach if group.modes > 1 else Determinant)(group.label) for group in structure.groups]
-    return [*rows, *spans(structure), *(Determinant(cluster.label) for cluster in structure.clusters)]
+    rows = [(ReachRow if group.modes > 1 else Determinant)(group.label) for group in structure.groups]
+    return [*rows, *spans(structure), *(Determinant(higher_group.label) for higher_group in structure.higher_groups)]
 
 
 def _acting(run: Run) -> Iterator[Node]:

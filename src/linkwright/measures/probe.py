@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.language import Node
-from linkwright.measures.means import Edge, Mean, mean
-from linkwright.measures.places import Hard, Places, vague
-from linkwright.measures.search import Turning, turning
+from linkwright.measures.means import MeanValue, StretchEnd, mean
+from linkwright.measures.places import BreakPlaces, Hard, vague
+from linkwright.measures.search import TurningTimes, turning
 from linkwright.measures.sides import Side, Sides
 from linkwright.notation import Jet
 from linkwright.reductions import Peak
@@ -33,7 +33,7 @@ BEYOND = 1e-6
 
 
 @dataclass(frozen=True)
-class Limits:
+class OneSidedLimits:
     """A place at which an expression has limits from before and after, as a break function vanishes there."""
 
     time: float
@@ -47,10 +47,10 @@ class Search:
     def __init__(self, run: Run, trees: Sequence[Node], noticed: Sequence[float] = ()) -> None:
         self.run, self.trees = run, [*dict.fromkeys(trees)]
         self.signals = run.signals_of(self.trees)
-        self.places = Places(run, self.trees, noticed)
-        self.turned: Turning = turning(lambda t: run.all_rates(self.trees, t), self.places.pieces, run.grid)
+        self.places = BreakPlaces(run, self.trees, noticed)
+        self.turned: TurningTimes = turning(lambda t: run.all_rates(self.trees, t), self.places.pieces, run.grid)
         self._vague = vague(run, self.trees, np.linspace(run.start, run.stop, 257))
-        self._limits: dict[Node, list[Limits]] = {}
+        self._limits: dict[Node, list[OneSidedLimits]] = {}
 
     def stationary(self, node: Node) -> Array:
         """The times (s) at which an expression turns or may have a kink, ascending."""
@@ -62,14 +62,14 @@ class Search:
         i = self.trees.index(node)
         return self.places.settled and (self.turned.settled[i] or self._vague[i])
 
-    def limits(self, node: Node) -> list[Limits]:
+    def limits(self, node: Node) -> list[OneSidedLimits]:
         """The places at which an expression may have other values on both sides, or none."""
         if node not in self._limits:
             found = self._vanishing(node) + self._passed(node)
             self._limits[node] = sorted(found, key=lambda place: place.time)
         return self._limits[node]
 
-    def _vanishing(self, node: Node) -> list[Limits]:
+    def _vanishing(self, node: Node) -> list[OneSidedLimits]:
         # Places at which the same break functions vanish share their series; take them together.
         groups: dict[tuple[object, ...], list[Hard]] = {}
         for hard in self.places.hard[node]:
@@ -80,10 +80,10 @@ class Search:
             times = np.array([hard.time for hard in some])
             for hard, before, after in zip(some, sides.at(times, -1), sides.at(times, 1), strict=True):
                 if before[1] or after[1]:
-                    found.append(Limits(hard.time, before[0], after[0]))
+                    found.append(OneSidedLimits(hard.time, before[0], after[0]))
         return found
 
-    def _passed(self, node: Node) -> list[Limits]:
+    def _passed(self, node: Node) -> list[OneSidedLimits]:
         """Change points through which the run is carried, where forces may grow without bound."""
         times = np.array([p.time for p in self.run.compiled.passages.every])
         inside = times[(times >= self.run.start) & (times <= self.run.stop)]
@@ -92,7 +92,9 @@ class Search:
         # Only where the expression really has no value there.
         unknown = ~np.isfinite(np.asarray(self.run.jets(node, inside).d[0]))
         sides = Sides(self.run, node, ())
-        return [Limits(float(t), sides.compared(float(t), -1), sides.compared(float(t), 1)) for t in inside[unknown]]
+        return [
+            OneSidedLimits(float(t), sides.compared(float(t), -1), sides.compared(float(t), 1)) for t in inside[unknown]
+        ]
 
 
 @dataclass
@@ -132,7 +134,7 @@ class Probe:
         return 2 * ASIDE[0] * (self.run.stop - self.run.start)
 
     @cached_property
-    def limits(self) -> list[Limits]:
+    def limits(self) -> list[OneSidedLimits]:
         """Places with one-sided limits inside or at an end of an interval."""
         every = self.search.limits(self.node)
         return [p for p in every if any(a - self.near <= p.time <= b + self.near for a, b in self.intervals)]
@@ -242,7 +244,7 @@ class Probe:
         """The smallest value, the first of equals."""
         return min(self.peaks, key=lambda peak: (peak.value, peak.time))
 
-    def mean(self, power: int = 1, rule: int = 0) -> Mean:
+    def mean(self, power: int = 1, rule: int = 0) -> MeanValue:
         """The mean of a power over the intervals, by one of two rules on nodes of its own."""
         # Close to singular places the integral comes from the series, elsewhere from quadrature on panels.
         with np.errstate(invalid="ignore"):  # poles of both signs have no mean
@@ -267,7 +269,7 @@ class Probe:
         return edges
 
     @cached_property
-    def stretches(self) -> list[tuple[Edge, Edge]]:
+    def stretches(self) -> list[tuple[StretchEnd, StretchEnd]]:
         """The intervals cut at places with one-sided limits, the ends with what lies between them and the panels."""
         found = []
         for a, b in self.intervals:
@@ -283,7 +285,7 @@ class Probe:
             last = next((p.before for p in inner_places if abs(p.time - b) <= self.near), None)
             marks.append((b, last, None))
             for (low, _, after), (high, before, _) in pairwise(marks):
-                found.append((Edge.beside(low, after, high - low), Edge.beside(high, before, high - low)))
+                found.append((StretchEnd.beside(low, after, high - low), StretchEnd.beside(high, before, high - low)))
         return found
 
 

@@ -38,7 +38,7 @@ INSIDE = np.array([0.05, 0.25, 0.5, 0.75, 0.95])
 
 
 @dataclass(frozen=True)
-class Pieces:
+class RunPieces:
     """A run ``start`` .. ``stop`` (s) cut at places; ``before`` and ``after`` are the sides of the cuts, ascending.
 
     ``more`` are further times to look at.
@@ -71,7 +71,7 @@ class Pieces:
 
 
 @dataclass(frozen=True)
-class Turning:
+class TurningTimes:
     """The times (s, ascending) at which each row turns, whether its search has stood still, and the width (s) of the
     steps on which it ended."""
 
@@ -80,7 +80,7 @@ class Turning:
     width: float
 
 
-def turning(rates: Rates, pieces: Pieces, steps: int, still: Array | float = 0.0) -> Turning:
+def turning(rates: Rates, pieces: RunPieces, steps: int, still: Array | float = 0.0) -> TurningTimes:
     """The turning points of rows between the cuts.
 
     ``still`` (rows,) is a size to which round-off is compared where a row is smaller itself.
@@ -109,10 +109,10 @@ def turning(rates: Rates, pieces: Pieces, steps: int, still: Array | float = 0.0
     if not all(standing):
         before = roots(lambda at: rates(at)[1], levels[0])
         standing = [s or _same(rates, row, before[row], times[row]) for row, s in enumerate(standing)]
-    return Turning(times, standing, (pieces.stop - pieces.start) / steps)
+    return TurningTimes(times, standing, (pieces.stop - pieces.start) / steps)
 
 
-def zeros(rates: Rates, pieces: Pieces, turned: Turning, steps: int) -> list[Array]:
+def zeros(rates: Rates, pieces: RunPieces, turned: TurningTimes, steps: int) -> list[Array]:
     """The zeros of each row at which it changes sign, from its turning points: between two of them there is one at
     most."""
     found = []

@@ -13,7 +13,7 @@ from linkwright.findings import Finding
 from linkwright.model.actions import column_unit
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.names import Names
-from linkwright.model.places import Path, Place, Scope, places
+from linkwright.model.places import ExpressionPlace, Path, Scope, places
 from linkwright.model.signals import Signals
 from linkwright.model.walk import Found
 from linkwright.reductions import figure
@@ -34,7 +34,7 @@ class Inference:
         signals: Signals,
         declared: Mapping[str, str],
         fields: Sequence[Found],
-        uses: Sequence[Place],
+        uses: Sequence[ExpressionPlace],
     ) -> None:
         self.mechanism = mechanism
         self.findings: list[Finding] = []
@@ -62,7 +62,7 @@ class Inference:
                 self.findings.append(Finding("parameters.cycle", path, {"cycle": " -> ".join(circle)[:200]}))
                 left = {n: needs - {*circle} for n, needs in left.items() if n not in circle}
 
-    def _known(self, names: Names, place: Place) -> bool:
+    def _known(self, names: Names, place: ExpressionPlace) -> bool:
         self._add(list(names.misplaced(place)))
         unknown = list(names.unknown(place))
         self._add(unknown)
@@ -72,7 +72,7 @@ class Inference:
     def _add(self, findings: list[Finding]) -> None:
         self.findings += [f for i, f in enumerate(findings) if f not in self.findings and f not in findings[:i]]
 
-    def _infer(self, uses: Sequence[Place]) -> tuple[Place, ...]:
+    def _infer(self, uses: Sequence[ExpressionPlace]) -> tuple[ExpressionPlace, ...]:
         for name, table in self.mechanism.tables.items():
             for unknown, text in ((argument(name), table.x), (value(name), table.y)):
                 if text is not None:
@@ -90,23 +90,23 @@ class Inference:
             self._ambiguous(place)
         return telling
 
-    def _telling(self, uses: Sequence[Place]) -> tuple[Place, ...]:
+    def _telling(self, uses: Sequence[ExpressionPlace]) -> tuple[ExpressionPlace, ...]:
         """The uses that tell the units of what the mechanism's own places leave open."""
         leaving = [self.dimensions.leaves_open(place.expression.node) for place in uses]
         wanted = {place.wanted for place, is_open in zip(uses, leaving, strict=True) if is_open}
         unknown = {of for of in wanted if not isinstance(of, Dimension) and of not in self.mechanism.parameters}
         return tuple(place for place, is_open in zip(uses, leaving, strict=True) if is_open or place.wanted in unknown)
 
-    def _of(self, place: Place) -> Dimensions:
+    def _of(self, place: ExpressionPlace) -> Dimensions:
         return self.dimensions.with_names(place.names) if place.names else self.dimensions
 
-    def _use(self, place: Place) -> None:
+    def _use(self, place: ExpressionPlace) -> None:
         self._of(place).use(place.expression.node, place.wanted)
 
-    def _bind_here(self, place: Place) -> None:
+    def _bind_here(self, place: ExpressionPlace) -> None:
         self._of(place).bind(place.expression.node, self.dimensions.resolve(place.wanted))
 
-    def _try(self, place: Place, action: Callable[[Place], None]) -> bool:
+    def _try(self, place: ExpressionPlace, action: Callable[[ExpressionPlace], None]) -> bool:
         try:
             action(place)
         except DimensionError as error:
@@ -114,7 +114,7 @@ class Inference:
             return False
         return True
 
-    def _ambiguous(self, place: Place) -> None:
+    def _ambiguous(self, place: ExpressionPlace) -> None:
         """A word behind ``2 mm*`` that is a unit and a parameter, where both could be meant."""
         for node in nodes(place.expression.node):
             for word in words_of(node.unit)[1:] if isinstance(node, Number) and node.unit else ():
@@ -140,7 +140,7 @@ class Inference:
 _TURNING = tuple(Dimension(0, 0, -k) for k in range(4))
 
 
-def _rank(place: Place) -> int:
+def _rank(place: ExpressionPlace) -> int:
     """In which order the uses are read. What states its own units comes first: a conflict is then told where
     such a thing is used. Lone names come next: they settle the power of angle, which later uses confirm; and
     what is measured comes before the bounds on it."""

@@ -74,7 +74,7 @@ _FORMULA = Quantity(PURE, scope=Scope.FORMULA, names=FrozenDict({ARGUMENT: PURE}
 _Via = Annotated[tuple[Annotated[Expression, _AXIS], Annotated[Expression, _VALUE]], BeforeValidator(pair("table-row"))]
 
 
-class Segment(Frozen):
+class SegmentEntry(Frozen):
     """One stretch of a motion: a dwell, a rise or fall, control values of a B-spline, a harmonic series."""
 
     dwell: Annotated[Expression | None, _AXIS] = Field(None, description="at rest for so long")
@@ -166,7 +166,7 @@ class MotionLaw(Frozen):
     beyond: Literal["repeat", "advance", "hold"] = Field(
         "repeat", description="behind the last segment: all again; again from the value reached; rest"
     )
-    segments: Annotated[tuple[Segment, ...], _some(lambda raw: unexpected("segments", raw), MAX_SEGMENTS)] = Field(
+    segments: Annotated[tuple[SegmentEntry, ...], _some(lambda raw: unexpected("segments", raw), MAX_SEGMENTS)] = Field(
         description="one after the other, from 0 on"
     )
 

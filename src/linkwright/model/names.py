@@ -13,7 +13,7 @@ from linkwright.expressions.units import is_unit
 from linkwright.expressions.unknown import likeliest, near, proposed
 from linkwright.findings import Finding, Term
 from linkwright.model.mechanism import Mechanism
-from linkwright.model.places import Place, Scope
+from linkwright.model.places import ExpressionPlace, Scope
 from linkwright.model.signals import Signals
 from linkwright.tolerances import examples
 
@@ -50,7 +50,7 @@ class Names:
     def __init__(self, mechanism: Mechanism, signals: Signals) -> None:
         self.mechanism, self.signals = mechanism, signals
 
-    def unknown(self, place: Place) -> Iterator[Finding]:
+    def unknown(self, place: ExpressionPlace) -> Iterator[Finding]:
         """Names in an expression that nothing is called by."""
         meant: set[int] = set()  # elements as arguments of what isn't a signal: told with it
         for node in nodes(place.expression.node):
@@ -62,7 +62,7 @@ class Names:
                 found = self._unknown(node, place)
                 yield from map(_of_class, found) if node is place.expression.node else found
 
-    def _unknown(self, node: Name | Call, place: Place) -> Iterator[Finding]:
+    def _unknown(self, node: Name | Call, place: ExpressionPlace) -> Iterator[Finding]:
         m, path = self.mechanism, place.path
         if is_signal(node):
             try:
@@ -109,7 +109,7 @@ class Names:
         likely = likeliest(call.name, [*self.signals.attributes(owner)[1]]) if alone else []
         return proposed([f"{owner}.{attribute}" for attribute in likely]) if likely else Term("signal-forms")
 
-    def misplaced(self, place: Place) -> Iterator[Finding]:
+    def misplaced(self, place: ExpressionPlace) -> Iterator[Finding]:
         """Known names that can't stand in this expression."""
         todo: list[Node] = [place.expression.node]
         while todo:

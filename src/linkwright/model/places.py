@@ -17,12 +17,12 @@ from linkwright.expressions.typed_fields import Context, Path, Scope
 from linkwright.expressions.units import Dimension
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.motions import ARGUMENT
-from linkwright.model.walk import Found, Place, Site, walk
+from linkwright.model.walk import ExpressionPlace, Found, QuantityPlace, walk
 
 __all__ = [
     "OF_FORMULA",
+    "ExpressionPlace",
     "Path",
-    "Place",
     "Scope",
     "crossed",
     "places",
@@ -50,11 +50,11 @@ def stated(m: Mechanism) -> list[Found]:
     return walk(m, Context(m), *SECTIONS, "measures", "require")
 
 
-def places(m: Mechanism, found: Iterable[Found]) -> Iterator[Place]:
+def places(m: Mechanism, found: Iterable[Found]) -> Iterator[ExpressionPlace]:
     """Every expression of a mechanism, the definitions of its parameters first; ``found`` is what is :func:`stated`."""
-    by_entry: dict[str, dict[Path, list[Place]]] = {}
+    by_entry: dict[str, dict[Path, list[ExpressionPlace]]] = {}
     for one in found:
-        if isinstance(one, Site):
+        if isinstance(one, QuantityPlace):
             by_entry.setdefault(str(one.path[0]), {}).setdefault(one.path[1:2], []).extend(one.places())
     acting = [*m.acting()]
     for section in SECTIONS:
@@ -65,10 +65,12 @@ def places(m: Mechanism, found: Iterable[Found]) -> Iterator[Place]:
             if element.section == section:
                 yield from own.get((element.name,), ())
                 uses = element.kind.uses(m, element.entry)
-                yield from (Place((*element.path, use.key), use.expression, use.wanted, use.scope) for use in uses)
+                yield from (
+                    ExpressionPlace((*element.path, use.key), use.expression, use.wanted, use.scope) for use in uses
+                )
     own, bounds = by_entry.get("measures", {}), by_entry.get("require", {})
     for name, measure in m.measures.items():
         yield from own.get((name,), ())
         uses = measure.uses(m, name)
-        yield from (Place(("measures", name, use.key), use.expression, use.wanted, use.scope) for use in uses)
+        yield from (ExpressionPlace(("measures", name, use.key), use.expression, use.wanted, use.scope) for use in uses)
         yield from bounds.get((name,), ())

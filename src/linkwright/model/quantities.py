@@ -20,7 +20,7 @@ from linkwright.model.bound_window import BoundWindow
 from linkwright.model.inference import Inference
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.names import Names
-from linkwright.model.places import OF_FORMULA, Place, position_parts, stated
+from linkwright.model.places import OF_FORMULA, ExpressionPlace, position_parts, stated
 from linkwright.model.signals import Signals
 from linkwright.model.walk import Found
 
@@ -39,7 +39,9 @@ class Quantities:
 
     samples: int | None = None  # of how many sets of parameter values
 
-    def __init__(self, mechanism: Mechanism, uses: Sequence[Place] = (), fields: Sequence[Found] | None = None) -> None:
+    def __init__(
+        self, mechanism: Mechanism, uses: Sequence[ExpressionPlace] = (), fields: Sequence[Found] | None = None
+    ) -> None:
         self.mechanism = mechanism
         self.signals = Signals(mechanism)
         self.findings: list[Finding] = []
@@ -47,7 +49,7 @@ class Quantities:
         self.fields = stated(mechanism) if fields is None else fields
         inference = Inference(mechanism, self.signals, self.declared, self.fields, uses)
         self.dimensions: Dimensions = inference.dimensions
-        self.places: list[Place] = inference.places
+        self.places: list[ExpressionPlace] = inference.places
         self.order, self.uses = inference.order, inference.uses
         wrong = {finding.data["base"] for finding in self.findings}
         self.findings += _collapsed([replace(f, data=self.spelt(f.data)) for f in inference.findings], wrong)
@@ -137,7 +139,7 @@ class Quantities:
 
     def _explained(self, expression: Expression) -> DimensionError | None:
         """What is wrong with the names of an expression that should be constant."""
-        names, place = Names(self.mechanism, self.signals), Place((), expression, u.PURE)
+        names, place = Names(self.mechanism, self.signals), ExpressionPlace((), expression, u.PURE)
         for finding in (*names.unknown(place), *names.misplaced(place)):
             return DimensionError(finding.code, **finding.data)
         return None

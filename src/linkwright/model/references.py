@@ -16,7 +16,7 @@ from linkwright.model.pins import shared_pins
 from linkwright.model.walk import Reference, references
 
 
-class Kind(NamedTuple):
+class ElementKind(NamedTuple):
     """The elements that a :class:`~linkwright.expressions.typed_fields.Ref` may name: those that are ``known`` in a
     mechanism, and the ``section`` of the file where they mostly stand. A finding on another name says that it is none
     of what is ``called`` so, or has a ``code`` of its own."""
@@ -31,25 +31,25 @@ def _slides(m: Mechanism) -> list[str]:
     return [name for name, _ in m.prismatic_joints()]
 
 
-KINDS: Mapping[str, Kind] = {
-    "link": Kind(lambda m: m.links, "links", "link"),
-    "moving": Kind(lambda m: [link for link in m.links if link != FRAME], "links", "link"),
-    "point": Kind(lambda m: [*homes(m), *shared_pins(m)], "links.points", "point"),
-    "pivot": Kind(
+KINDS: Mapping[str, ElementKind] = {
+    "link": ElementKind(lambda m: m.links, "links", "link"),
+    "moving": ElementKind(lambda m: [link for link in m.links if link != FRAME], "links", "link"),
+    "point": ElementKind(lambda m: [*homes(m), *shared_pins(m)], "links.points", "point"),
+    "pivot": ElementKind(
         lambda m: [*homes(m), *(n for n, joint in m.joints.items() if joint.revolute)], "links.points", "point"
     ),
-    "slide": Kind(_slides, "joints", "slide"),
-    "extended": Kind(lambda m: [*_slides(m), *m.cylinders], "cylinders", "slide"),
-    "output": Kind(
+    "slide": ElementKind(_slides, "joints", "slide"),
+    "extended": ElementKind(lambda m: [*_slides(m), *m.cylinders], "cylinders", "slide"),
+    "output": ElementKind(
         lambda m: [*_slides(m), *(link for link in m.links if link != FRAME)], "joints", code="drive.output"
     ),
-    "drive": Kind(lambda m: m.movers, "drives", "drive"),
-    "motor": Kind(lambda m: m.drives, "drives", "drive"),
-    "law": Kind(lambda m: m.laws, "laws", "law"),
-    "cam": Kind(lambda m: m.cams, "cams", "cam"),
-    "window": Kind(lambda m: m.windows, "windows", "window"),
-    "measure": Kind(lambda m: m.measures, "measures", "measure"),
-    "parameter": Kind(lambda m: m.parameters, "parameters", code="name.unknown-parameter"),
+    "drive": ElementKind(lambda m: m.movers, "drives", "drive"),
+    "motor": ElementKind(lambda m: m.drives, "drives", "drive"),
+    "law": ElementKind(lambda m: m.laws, "laws", "law"),
+    "cam": ElementKind(lambda m: m.cams, "cams", "cam"),
+    "window": ElementKind(lambda m: m.windows, "windows", "window"),
+    "measure": ElementKind(lambda m: m.measures, "measures", "measure"),
+    "parameter": ElementKind(lambda m: m.parameters, "parameters", code="name.unknown-parameter"),
 }
 """The kinds by name."""
 
@@ -76,7 +76,7 @@ def reference_faults(found: Iterable[Reference]) -> list[Finding]:
     return [*faults.values()]
 
 
-def _fault(kind: Kind, path: tuple[Any, ...], name: str, known: Iterable[str]) -> Finding:
+def _fault(kind: ElementKind, path: tuple[Any, ...], name: str, known: Iterable[str]) -> Finding:
     if not kind.code:
         return unknown(kind.called, path, name, known)
     return Finding(kind.code, path, {"name": name[:60], "near": near(name, known)})

@@ -38,7 +38,7 @@ def _kind(raw: Any) -> str:
     """A branch is chosen by the looks of the value, so that its faults are told once."""
     if isinstance(raw, list | tuple):
         return "a pair"
-    if isinstance(raw, Mapping | Stated):
+    if isinstance(raw, Mapping | StatedTolerance):
         return "a mapping"
     named = isinstance(raw, str) and (_ISO.match(raw) or tolerance_class(raw))
     return "a class" if named or isinstance(raw, ClassName) else "a number"
@@ -85,7 +85,7 @@ class Spread(Frozen):
             yield "tolerance.no-sigma", {"name": name}
 
 
-class Stated(Spread):
+class StatedTolerance(Spread):
     """A tolerance with all that can be said of it."""
 
     limits: Limits | None = Field(
@@ -97,15 +97,15 @@ class Stated(Spread):
 
 
 Tolerance = Annotated[
-    _PAIR | Annotated[Stated, Tag("a mapping")] | _CLASS | _NUMBER,
+    _PAIR | Annotated[StatedTolerance, Tag("a mapping")] | _CLASS | _NUMBER,
     Discriminator(_kind),
 ]
-AnyTolerance = Two | Stated | ClassName | Expression
+AnyTolerance = Two | StatedTolerance | ClassName | Expression
 
 
-def stated(tolerance: AnyTolerance | None) -> Stated:
+def stated(tolerance: AnyTolerance | None) -> StatedTolerance:
     """A tolerance in its full form."""
-    return tolerance if isinstance(tolerance, Stated) else Stated.model_construct(limits=tolerance)
+    return tolerance if isinstance(tolerance, StatedTolerance) else StatedTolerance.model_construct(limits=tolerance)
 
 
 def tolerance_parts(tolerance: AnyTolerance | None) -> Iterator[tuple[tuple[str, ...], Expression]]:

@@ -11,10 +11,10 @@ from linkwright.expressions import units as u
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.typed_fields import Ends, Sign
 from linkwright.findings import Finding, Term
-from linkwright.model.places import Place, Scope, position_parts
+from linkwright.model.places import ExpressionPlace, Scope, position_parts
 from linkwright.model.quantities import LARGEST, Quantities
 from linkwright.model.slides import closing, pairs_of
-from linkwright.model.walk import Site
+from linkwright.model.walk import QuantityPlace
 
 PARALLEL = 1e-9
 """Directions that differ by less than this angle (rad) are the same."""
@@ -28,13 +28,13 @@ def check_values(quantities: Quantities) -> list[Finding]:
     bad = [finding for place in constant for finding in _finite(quantities, place)]
     if bad and quantities.samples is None:
         return bad
-    stated = [found for found in quantities.fields if isinstance(found, Site)]
+    stated = [found for found in quantities.fields if isinstance(found, QuantityPlace)]
     signs = (finding for site in stated for finding in sign_faults(quantities, site))
     special = (finding for part in (_acting, _rods, _slides, _joints) for finding in part(quantities))
     return [*bad, *signs, *special, *(finding for site in stated for finding in _ends(quantities, site))]
 
 
-def _finite(q: Quantities, place: Place) -> Iterator[Finding]:
+def _finite(q: Quantities, place: ExpressionPlace) -> Iterator[Finding]:
     try:
         value = q.value(place.expression, q.dimensions.resolve(place.wanted))
     except DimensionError:
@@ -43,7 +43,7 @@ def _finite(q: Quantities, place: Place) -> Iterator[Finding]:
         yield Finding("value.not-finite", place.path, {"text": place.expression.text[:60]})
 
 
-def sign_faults(q: Quantities, site: Site) -> Iterator[Finding]:
+def sign_faults(q: Quantities, site: QuantityPlace) -> Iterator[Finding]:
     """That a quantity is too small; of an interval, its lower end."""
     (expression, of), sign = site.parts[0], site.parts[0][1].sign_at(site.context)
     if sign is Sign.ANY or (wanted := of.dimension_at(site.context)) is None:
@@ -56,7 +56,7 @@ def sign_faults(q: Quantities, site: Site) -> Iterator[Finding]:
         yield Finding("value.too-small", site.path, data)
 
 
-def _ends(q: Quantities, site: Site) -> Iterator[Finding]:
+def _ends(q: Quantities, site: QuantityPlace) -> Iterator[Finding]:
     """That an interval's ends lie the wrong way round, or leave nothing between them."""
     ends = site.parts[0][1].ends
     if ends is Ends.ANY or len(site.parts) != 2:

@@ -1,7 +1,8 @@
 """One walk over any part of a file: the quantities and the names that its typed fields hold.
 
-It gives :class:`Site` s, quantities as they are written, and :class:`Reference` s, names of elements. All else follows
-from these: the places from which dimensions are inferred, checks of signs, intervals and names, options of studies.
+It gives :class:`QuantityPlace` s, quantities as they are written, and :class:`Reference` s, names of elements. All
+else follows from these: the places from which dimensions are inferred, checks of signs, intervals and names, options
+of studies.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
     from linkwright.model.mechanism import Mechanism
 
 
-class Place(NamedTuple):
+class ExpressionPlace(NamedTuple):
     """One expression of a file: its path, the dimension wanted there, and what it may name; ``names`` has what the
     place itself gives a meaning, with its dimension."""
 
@@ -36,7 +37,7 @@ class Place(NamedTuple):
     names: Mapping[str, Dimension] = FrozenDict()
 
 
-class Site(NamedTuple):
+class QuantityPlace(NamedTuple):
     """A quantity as it is written at one place: an expression, or the two of an interval or a position."""
 
     context: Context
@@ -47,11 +48,11 @@ class Site(NamedTuple):
         """Its place in the file."""
         return self.context.path
 
-    def places(self) -> Iterator[Place]:
+    def places(self) -> Iterator[ExpressionPlace]:
         """Its expressions, each with its dimension, as far as that can be told."""
         for expression, of in self.parts:
             if (wanted := of.dimension_at(self.context)) is not None:
-                yield Place(self.path, expression, wanted, of.scope, of.names_at(self.context))
+                yield ExpressionPlace(self.path, expression, wanted, of.scope, of.names_at(self.context))
 
 
 class Reference(NamedTuple):
@@ -121,7 +122,7 @@ def _fields(entry: type[BaseModel]) -> dict[str, tuple[str, _Spec]]:
     return {key: (name, spec) for key, (name, spec) in every.items() if spec.holds}
 
 
-Found = Site | Reference
+Found = QuantityPlace | Reference
 
 
 def walk(entry: BaseModel, context: Context, *keys: str) -> list[Found]:
@@ -132,9 +133,9 @@ def walk(entry: BaseModel, context: Context, *keys: str) -> list[Found]:
     return found
 
 
-def sites(entry: BaseModel, context: Context, *keys: str) -> Iterator[Site]:
+def sites(entry: BaseModel, context: Context, *keys: str) -> Iterator[QuantityPlace]:
     """The quantities alone."""
-    return (found for found in walk(entry, context, *keys) if isinstance(found, Site))
+    return (found for found in walk(entry, context, *keys) if isinstance(found, QuantityPlace))
 
 
 def references(entry: BaseModel, context: Context, *keys: str) -> Iterator[Reference]:
@@ -165,7 +166,7 @@ def _walk(value: Any, at: Context, spec: _Spec, of: Quantity | None, ref: Ref | 
             found.append(Reference(at, value, ref))
         if of is not None:
             with suppress(ValueError):  # told by the one who reads it
-                found.append(Site(at, ((Expression(value), of),)))
+                found.append(QuantityPlace(at, ((Expression(value), of),)))
     elif isinstance(value, BaseModel):
         _entry(value, at, of, found)
     elif isinstance(value, Mapping):
@@ -188,14 +189,14 @@ def _site(
     """Add the site of some expressions, as far as it is said what they are."""
     known = tuple((part, said) for part, own in parts if (said := own or around) is not None)
     if known:
-        found.append(Site(at, known))
+        found.append(QuantityPlace(at, known))
 
 
 Options = Sequence[tuple[Path, BaseModel]]
 """What studies and exports want of a mechanism, each with its place in the file."""
 
 
-def option_places(mechanism: Mechanism, options: Options) -> list[Place]:
+def option_places(mechanism: Mechanism, options: Options) -> list[ExpressionPlace]:
     """The expressions among options, which tell the units of what the mechanism leaves open."""
     every = (site for path, given in options for site in sites(given, Context(mechanism, path)))
     return [place for site in every for place in site.places()]

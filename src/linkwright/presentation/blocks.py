@@ -12,7 +12,7 @@ from functools import cached_property
 from typing import Any
 
 from linkwright.findings import Said, Text
-from linkwright.presentation.cells import Cell, Number
+from linkwright.presentation.cells import Cell, NumberCell
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ class Table:
     def numeric(self) -> tuple[int, ...]:
         """The columns that hold numbers alone, whose units stand elsewhere."""
         columns = enumerate(zip(*self.rows, strict=True))
-        return tuple(i for i, cells in columns if all(isinstance(c, Number) and not c.unit for c in cells))
+        return tuple(i for i, cells in columns if all(isinstance(c, NumberCell) and not c.unit for c in cells))
 
 
 def table(of: str, name: str, heads: Iterable[Text], rows: Iterable[Sequence[Cell]], **data: Any) -> Table:

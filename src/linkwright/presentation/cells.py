@@ -14,7 +14,7 @@ UNKNOWN = "–"
 
 
 @dataclass(frozen=True)
-class Number:
+class NumberCell:
     """A number with so many significant ``digits``, or as ``form`` says (decimals where it is ``f``), in ``unit`` where
     that stands beside it; ``signed``, with its sign where it is positive too; ``unknown`` stands for one that there
     isn't."""
@@ -33,9 +33,9 @@ class Number:
         return f"{sign}{self.value:.{self.digits}{self.form}} {printed(self.unit)}".rstrip()
 
 
-def percent(share: float | None, digits: int = 4) -> Number:
+def percent(share: float | None, digits: int = 4) -> NumberCell:
     """A share in percent."""
-    return Number(None if share is None else float(f"{100 * share:.{digits}g}"), 10, "%")  # rounded first: no 1e+02
+    return NumberCell(None if share is None else float(f"{100 * share:.{digits}g}"), 10, "%")  # rounded first: no 1e+02
 
 
 @dataclass(frozen=True)
@@ -43,7 +43,7 @@ class Numbers:
     """Numbers of one ``unit``, such as the ends of a range; signed ones that are opposite as ±; ``unknown`` stands for
     none."""
 
-    numbers: Sequence[Number]
+    numbers: Sequence[NumberCell]
     unit: str = ""
     apart: str = " .. "
     unknown: Text = UNKNOWN
@@ -60,7 +60,7 @@ class Numbers:
 
 def numbers(values: Iterable[float | None], digits: int = 7, unit: str = "", apart: str = " .. ") -> Numbers:
     """Numbers with so many significant digits."""
-    return Numbers([Number(value, digits) for value in values], unit, apart)
+    return Numbers([NumberCell(value, digits) for value in values], unit, apart)
 
 
 class Unit(Said):
@@ -81,4 +81,4 @@ class Verdict:
         return str(self.text)
 
 
-Cell = Text | Number | Numbers | Verdict
+Cell = Text | NumberCell | Numbers | Verdict

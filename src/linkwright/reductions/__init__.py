@@ -3,8 +3,8 @@
 from linkwright.reductions import dwell, extreme, mean, straightness, value
 from linkwright.reductions.derivative import Derivative, Local
 from linkwright.reductions.entry import ENTRIES, SIGNAL, Measure, OfPath, figure, of_signal, reduced
-from linkwright.reductions.figures import Figures, Found, Peak, Unmeasured
-from linkwright.reductions.grades import SAMPLED, Grade, Kind
+from linkwright.reductions.figures import Figures, FoundFigure, Peak, Unmeasured
+from linkwright.reductions.grades import SAMPLED, Grade, ProofKind
 from linkwright.reductions.kind import REDUCTIONS, MeasureKind, kind_of, register
 from linkwright.reductions.protocols import InRun, InSamples, WithDeviations, WithPlay
 
@@ -15,16 +15,16 @@ __all__ = [
     "SIGNAL",
     "Derivative",
     "Figures",
-    "Found",
+    "FoundFigure",
     "Grade",
     "InRun",
     "InSamples",
-    "Kind",
     "Local",
     "Measure",
     "MeasureKind",
     "OfPath",
     "Peak",
+    "ProofKind",
     "Unmeasured",
     "WithDeviations",
     "WithPlay",

@@ -17,7 +17,7 @@ from linkwright.expressions.units import TIME
 from linkwright.expressions.written import Fault
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import SIGNAL, Measure, of_signal
-from linkwright.reductions.figures import Found
+from linkwright.reductions.figures import FoundFigure
 from linkwright.reductions.kind import MeasureKind, register
 from linkwright.reductions.protocols import InRun, WithDeviations
 
@@ -60,7 +60,7 @@ class Dwell(MeasureKind):
     entry = DwellEntry
     differentiable = True
 
-    def found(self, run: InRun) -> tuple[Found, ...]:
+    def found(self, run: InRun) -> tuple[FoundFigure, ...]:
         start, stop = _longest(run)
         return (run.found("", stop - start, start),)
 
@@ -102,12 +102,12 @@ def _longest(run: InRun) -> Stretch:
     width, found = run.number(run.measure.within), list[Stretch]()
     for a, b in run.intervals:
         turning = np.array([a, *(t for t in run.stationary if a < t < b), b])
-        found.append(Course(run.values, turning).longest(width))
+        found.append(TurningCourse(run.values, turning).longest(width))
     return max(found, key=lambda stretch: stretch[1] - stretch[0])
 
 
 @dataclass
-class Course:
+class TurningCourse:
     """A signal between its turning points: ``turning`` (s, ascending, both ends included), monotone in between."""
 
     value: Callable[[Array], Array]

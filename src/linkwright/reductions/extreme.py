@@ -13,7 +13,7 @@ from pydantic import Field
 from linkwright.expressions.fields import Expression
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import SIGNAL, Measure
-from linkwright.reductions.figures import Figures, Found
+from linkwright.reductions.figures import Figures, FoundFigure
 from linkwright.reductions.kind import MeasureKind, register
 from linkwright.reductions.protocols import InRun, InSamples, WithDeviations, WithPlay
 
@@ -30,7 +30,7 @@ class _OfExtremes(MeasureKind):
     def needs(self, measure: Any) -> Sequence[tuple[str, float]]:
         return [("", sign) for sign in self.proven]
 
-    def found(self, run: InRun) -> tuple[Found, ...]:
+    def found(self, run: InRun) -> tuple[FoundFigure, ...]:
         return tuple(run.found(label, *(run.top() if sign > 0 else run.bottom())) for label, sign in self.signs.items())
 
     def figures(self, samples: InSamples) -> dict[str, Figures]:
@@ -78,7 +78,7 @@ class Span(_OfExtremes):
     entry = SpanEntry
     proven = (-1.0, 1.0)
 
-    def found(self, run: InRun) -> tuple[Found, ...]:
+    def found(self, run: InRun) -> tuple[FoundFigure, ...]:
         high, low = (run.found("", *peak) for peak in (run.top(), run.bottom()))
         for end in (high, low):
             if end.unbounded:

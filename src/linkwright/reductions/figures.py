@@ -23,7 +23,7 @@ class Peak(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Found:
+class FoundFigure:
     """One number of a measure: its label ("" or min, max), value in SI, and the time (s) where it happens.
 
     Unbounded values are infinite. ``side`` ("before", "after") is from where a value is approached that isn't reached

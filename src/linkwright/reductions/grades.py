@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 
-class Kind(Enum):
+class ProofKind(Enum):
     """*Enclosed*: proven by intervals. *Searched*: on exact rates between the steps of a grid. *Sampled*: the value at
     one given time."""
 
@@ -20,9 +20,9 @@ class Grade:
     """A kind, the ``width`` (s) below which a feature may hide from a search (``None`` of the others), and the
     ``reason`` why a proof that was tried remained open."""
 
-    kind: Kind
+    kind: ProofKind
     width: float | None = None
     reason: str = ""
 
 
-SAMPLED = Grade(Kind.SAMPLED)
+SAMPLED = Grade(ProofKind.SAMPLED)

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from linkwright.notation.registry import Registry
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import ENTRIES, Measure
-from linkwright.reductions.figures import Figures, Found
+from linkwright.reductions.figures import Figures, FoundFigure
 from linkwright.reductions.protocols import InRun, InSamples, WithDeviations, WithPlay
 from linkwright.words import add
 
@@ -54,7 +54,7 @@ class MeasureKind(ABC):
         return self.entry.reduction
 
     @abstractmethod
-    def found(self, run: InRun) -> tuple[Found, ...]:
+    def found(self, run: InRun) -> tuple[FoundFigure, ...]:
         """The figures of a run, in the order of the labels. Raises :class:`Unmeasured` where there are none."""
 
     def needs(self, measure: Any) -> Sequence[tuple[str, float]] | None:

@@ -15,7 +15,7 @@ from linkwright.expressions.typed_fields import Ref
 from linkwright.expressions.units import LENGTH, SPEED
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import SIGNAL, Measure, OfPath
-from linkwright.reductions.figures import Figures, Found
+from linkwright.reductions.figures import Figures, FoundFigure
 from linkwright.reductions.kind import MeasureKind, register
 from linkwright.reductions.protocols import InRun, InSamples, WithDeviations, WithPlay
 
@@ -35,7 +35,7 @@ class _OfMean(MeasureKind):
     def needs(self, measure: Any) -> Sequence[tuple[str, float]]:
         return ()
 
-    def found(self, run: InRun) -> tuple[Found, ...]:
+    def found(self, run: InRun) -> tuple[FoundFigure, ...]:
         return (run.found("", float(self.figure(run.mean(self.power), run.length))),)
 
     def figures(self, samples: InSamples) -> dict[str, Figures]:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from linkwright.expressions.fields import Expression
 from linkwright.reductions.derivative import Derivative, Local
-from linkwright.reductions.figures import Figures, Found, Peak
+from linkwright.reductions.figures import Figures, FoundFigure, Peak
 from linkwright.reductions.grades import Grade
 
 Array = NDArray[np.float64]
@@ -58,7 +58,7 @@ class InRun(Protocol):
     def number(self, expression: Expression) -> float:
         """An expression of parameters of the kind of the signal."""
 
-    def found(self, label: str, value: float, time: float | None = None, side: str = "") -> Found:
+    def found(self, label: str, value: float, time: float | None = None, side: str = "") -> FoundFigure:
         """A figure as a search gives it."""
 
     def other(self, key: str) -> InRun:

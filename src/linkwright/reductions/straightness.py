@@ -16,7 +16,7 @@ from linkwright.expressions.units import LENGTH
 from linkwright.notation.hull import hull
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import OfPath
-from linkwright.reductions.figures import Found
+from linkwright.reductions.figures import FoundFigure
 from linkwright.reductions.kind import MeasureKind, register
 from linkwright.reductions.protocols import InRun, WithDeviations
 
@@ -47,7 +47,7 @@ class Straightness(MeasureKind):
     entry = StraightnessEntry
     differentiable = True
 
-    def found(self, run: InRun) -> tuple[Found, ...]:
+    def found(self, run: InRun) -> tuple[FoundFigure, ...]:
         return (run.found("", _of_run(run)[0]),)
 
     def derivative(self, found: WithDeviations) -> list[Derivative]:

@@ -16,7 +16,7 @@ from linkwright.expressions.written import Fault, short_text
 from linkwright.findings import Said
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import SIGNAL, Measure
-from linkwright.reductions.figures import Figures, Found, Unmeasured
+from linkwright.reductions.figures import Figures, FoundFigure, Unmeasured
 from linkwright.reductions.grades import SAMPLED, Grade
 from linkwright.reductions.kind import MeasureKind, register
 from linkwright.reductions.protocols import InRun, InSamples, WithDeviations
@@ -101,9 +101,9 @@ class Value(MeasureKind):
     differentiable = True
     bounded = True
 
-    def found(self, run: InRun) -> tuple[Found, ...]:
+    def found(self, run: InRun) -> tuple[FoundFigure, ...]:
         time, grade = _placed(run)
-        return (Found("", *run.at(time), grade),)
+        return (FoundFigure("", *run.at(time), grade),)
 
     def needs(self, measure: ValueEntry) -> Sequence[tuple[str, float]] | None:
         kind = measure.instant.kind

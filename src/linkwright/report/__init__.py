@@ -3,8 +3,8 @@
 from linkwright.report.data import (
     Fact,
     Failure,
-    Joint,
-    Link,
+    JointData,
+    LinkData,
     Plot,
     Pose,
     ReportData,
@@ -19,8 +19,8 @@ from linkwright.report.payload import compact
 __all__ = [
     "Fact",
     "Failure",
-    "Joint",
-    "Link",
+    "JointData",
+    "LinkData",
     "Plot",
     "Pose",
     "ReportData",

@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.elements.force import FORCES, Chart
+from linkwright.elements.force import FORCES, SignalChart
 from linkwright.escape import printed
 from linkwright.expressions.units import LENGTH, TIME, Dimension
 from linkwright.findings import Finding
@@ -19,14 +19,14 @@ from linkwright.report.cam_shapes import cam_shapes
 from linkwright.report.centrodes import centrodes
 from linkwright.report.data import (
     Failure,
-    Joint,
-    Link,
+    JointData,
+    LinkData,
     Plot,
     Pose,
     ReportData,
     Scene,
     Series,
-    Spring,
+    SpringData,
     Time,
     Trace,
 )
@@ -116,7 +116,7 @@ def scene(result: Result) -> Scene:
     poses = dict(
         zip(moving, compiled.evaluate(compiled.graph.pose_rows, result.t).reshape(-1, 4, result.t.size), strict=True)
     )
-    links: list[Link] = []
+    links: list[LinkData] = []
     outlines = cam_shapes(compiled, size)
     for link_name, lines in joint_shapes(result, size, compiled.assembly.size()).items():
         outlines.setdefault(link_name, []).extend(lines)
@@ -126,7 +126,7 @@ def scene(result: Result) -> Scene:
         if name != FRAME:
             x, y, c, s = poses[name]
             pose = {"x": listed(x / size), "y": listed(y / size), "c": listed(c), "s": listed(s)}
-        link: Link = {"name": name, "fixed": name == FRAME, "points": points, "pose": pose}
+        link: LinkData = {"name": name, "fixed": name == FRAME, "points": points, "pose": pose}
         if name in outlines:
             link["outlines"] = outlines[name]
         links.append(link)
@@ -141,11 +141,11 @@ def scene(result: Result) -> Scene:
     }
 
 
-def _joints(result: Result) -> list[Joint]:
+def _joints(result: Result) -> list[JointData]:
     compiled = result.run.compiled
     assert compiled.assembly.start is not None
     geometry = compiled.assembly.start.geometry
-    found: list[Joint] = []
+    found: list[JointData] = []
     for pin in compiled.structure.topology.pins.values():
         first = pin.links[0]
         for link in pin.links[1:]:
@@ -155,12 +155,12 @@ def _joints(result: Result) -> list[Joint]:
         assert joint.line is not None
         angles = [float(geometry.heading_angle(name, link)) for link in joint.links]
         points = [line.point for line in joint.line]
-        joined: Joint = {"name": name, "kind": "prismatic", "links": list(joint.links), "points": points}
+        joined: JointData = {"name": name, "kind": "prismatic", "links": list(joint.links), "points": points}
         found.append({**joined, "angles": angles})
     return found
 
 
-def _springs(result: Result) -> list[Spring]:
+def _springs(result: Result) -> list[SpringData]:
     mechanism = result.run.compiled.mechanism
     drawn = ((one.name, one.kind.drawn(mechanism, one.entry)) for one in mechanism.acting())
     return [{"name": name, **line._asdict()} for name, line in drawn if line]  # type: ignore[typeddict-item]
@@ -243,7 +243,7 @@ def _follower_charts(result: Result) -> list[Plot | None]:
 
 def _charts(result: Result) -> list[Plot | None]:
     """The charts of what acts, as the kinds have them: one of all elements that share a title."""
-    shown: dict[Chart, list[str]] = {chart: [] for kind in FORCES.values() for chart in kind.charts}
+    shown: dict[SignalChart, list[str]] = {chart: [] for kind in FORCES.values() for chart in kind.charts}
     for one in result.run.compiled.mechanism.acting():
         for chart in one.kind.charts:
             if chart.attribute in one.kind.signals(one.entry):

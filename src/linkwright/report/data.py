@@ -35,7 +35,7 @@ class Pose(TypedDict):
     s: Values
 
 
-class Link(TypedDict):
+class LinkData(TypedDict):
     """A body with its named points in its own axes (length unit, x right, y up); ``outlines`` are closed lines there,
     of a cam or a roller."""
 
@@ -46,7 +46,7 @@ class Link(TypedDict):
     outlines: NotRequired[Sequence[Sequence[Sequence[float]]]]
 
 
-class Joint(TypedDict):
+class JointData(TypedDict):
     """A revolute joint (two coincident points) or a prismatic one (two coincident lines).
 
     ``links`` and ``points`` are parallel pairs. ``angles`` (prismatic only): direction of the line through
@@ -83,7 +83,7 @@ class Centrode(TypedDict):
     v: Values
 
 
-class Spring(TypedDict):
+class SpringData(TypedDict):
     """A spring between a point of each of two links; ``look``: a coil, or barrel and rod of a gas spring or damper."""
 
     name: str
@@ -104,11 +104,11 @@ class Scene(TypedDict):
 
     length_unit: str
     time: Sequence[float]
-    links: Sequence[Link]
-    joints: Sequence[Joint]
+    links: Sequence[LinkData]
+    joints: Sequence[JointData]
     traces: Sequence[Trace]
     centrodes: NotRequired[Sequence[Centrode]]
-    springs: NotRequired[Sequence[Spring]]
+    springs: NotRequired[Sequence[SpringData]]
     areas: NotRequired[Sequence[AreaData]]
 
 

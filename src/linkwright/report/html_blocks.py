@@ -22,7 +22,7 @@ from linkwright.presentation.blocks import (
     Table,
     filled,
 )
-from linkwright.presentation.cells import Cell, Number, Numbers
+from linkwright.presentation.cells import Cell, NumberCell, Numbers
 from linkwright.report.stacks import stacks
 from linkwright.words import say
 
@@ -154,4 +154,4 @@ def _number(value: float | None) -> str:
 
 def _cell(cell: Cell) -> str:
     text = markup(cell).replace("\n", "<br>")
-    return text.replace("-", "−") if isinstance(cell, Number | Numbers) else text
+    return text.replace("-", "−") if isinstance(cell, NumberCell | Numbers) else text

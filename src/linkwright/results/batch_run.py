@@ -144,7 +144,7 @@ class Bunch:
     def _pursued(self) -> bool:
         """Whether some of the motion is followed from its start on."""
         compiled = self.run.compiled
-        return bool(compiled.structure.clusters) or bool(compiled.graph.actions.turning)
+        return bool(compiled.structure.higher_groups) or bool(compiled.graph.actions.turning)
 
     def names(self, what: Sequence[What]) -> list[Named]:
         """The rows that some curves are made of."""

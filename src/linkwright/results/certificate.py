@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from linkwright.elements.joint import Rate
 from linkwright.findings import Term
 from linkwright.graph.rows import determinants, spans
-from linkwright.kernels.kernel_selection import Choice, choose
+from linkwright.kernels.kernel_selection import KernelChoice, choose
 from linkwright.results.independent_check import Reports
 from linkwright.results.quadrature import panel_points
 from linkwright.results.run import Run
@@ -57,7 +57,7 @@ class Certificate:
     changes: dict[str, tuple[float, ...]]  # of groups carried through change points: when their branch changes (s)
     followed: dict[str, tuple[int, float]]  # of groups solved by Newton: steps of the path, largest correction
     poses: int
-    choice: Choice  # of the kernel, and why
+    choice: KernelChoice  # of the kernel, and why
     measures: float | None = None  # the worst contradiction to a reported measure; None without measures
 
     @property
@@ -100,10 +100,10 @@ def certify(run: Run) -> Certificate:
         nearest=nearest(run),
         branches={
             **{g.label: _branch(rules.get(g, ""), changes[g.label]) for g in compiled.structure.groups},
-            **{cluster.label: "" for cluster in compiled.structure.clusters},
+            **{higher_group.label: "" for higher_group in compiled.structure.higher_groups},
         },
         changes={group: times for group, times in changes.items() if times},
-        followed={f.cluster.label: (len(f.path.t) - 1, f.correction) for f in compiled.followers},
+        followed={f.higher_group.label: (len(f.path.t) - 1, f.correction) for f in compiled.followers},
         poses=reports.count,
         choice=choose(compiled.graph.program(reports.names), reports.count),
     )

@@ -12,14 +12,14 @@ from dataclasses import dataclass, field
 from linkwright.findings import Finding
 from linkwright.groups import REGISTRY
 from linkwright.model.mechanism import Mechanism
-from linkwright.structure.placed import Placed
+from linkwright.structure.placed import PlacedLinks
 from linkwright.structure.refusals import apart, redundant, unsolved
-from linkwright.structure.steps import Chain, Cluster, Driven, Edge, Group, Step, Structure, Wedge
+from linkwright.structure.steps import Chain, Driven, Group, HigherGroup, LinkPlacement, Step, Structure, Wedge
 from linkwright.structure.topology import FREEDOMS, PIN, Connection, Topology
 
 
 @dataclass
-class _Search(Placed):
+class _GroupSearch(PlacedLinks):
     steps: list[Step] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
     together: Mapping[str, frozenset[str]] | None = None  # of Freedoms, when first asked
@@ -27,7 +27,7 @@ class _Search(Placed):
     def run(self) -> Structure:
         self.find_drives()
         if not self.findings:
-            while self.drive_one() or self.group_one() or self.wedge_one() or self.cluster_one():
+            while self.drive_one() or self.group_one() or self.wedge_one() or self.higher_group_one():
                 pass
             self.findings += unsolved(self)
             if not self.left and not self.findings:
@@ -123,28 +123,28 @@ class _Search(Placed):
             for name, joint in self.joints.items():
                 if link in (joint.a, joint.b) and (other := joint.other(link)) not in ways:
                     sign = 1 if self.drive(name).link == other else -1
-                    ways[other] = (*ways[link], Edge(other, joint, name, sign))
+                    ways[other] = (*ways[link], LinkPlacement(other, joint, name, sign))
                     front.append(other)
         return ways[end]
 
-    def cluster_one(self) -> bool:
+    def higher_group_one(self) -> bool:
         """Solve the smallest set of links that hangs on known ones with no freedom left."""
         self.together = self.together if self.together is not None else self.freedoms().together
         rank = {link: i for i, link in enumerate(self.left)}
         parts = {tuple(sorted(of & rank.keys(), key=rank.__getitem__)) for link, of in self.together.items()}
         solved = [part for part in parts if len(part) > 1 or any(map(self.on_higher_pairs, part))]
         for part in sorted(solved, key=lambda part: (len(part), [rank[link] for link in part])):
-            if not self.freedom(part) and (cluster := self.tree(part)) is not None:
-                return self.place(cluster)
+            if not self.freedom(part) and (higher_group := self.tree(part)) is not None:
+                return self.place(higher_group)
         return False
 
     def on_higher_pairs(self, link: str) -> bool:
         """Whether a link has joints by which no link is placed, so that a group of this link alone takes Newton."""
         return not all(c.kind.places for c in self.topology.at(link))
 
-    def tree(self, part: tuple[str, ...]) -> Cluster | None:
+    def tree(self, part: tuple[str, ...]) -> HigherGroup | None:
         """A placing order of the links, drives inside first; ``None`` where the links don't hang together."""
-        edges: list[Edge] = []
+        edges: list[LinkPlacement] = []
         placed = dict(self.known)
         driven = {joint: name for name, joint in self.joints.items()}
         todo = dict.fromkeys(part)
@@ -158,16 +158,16 @@ class _Search(Placed):
             joint, link = min(options, key=lambda o: (o[0] not in driven, placed[o[0].other(o[1])]))
             drive = driven.get(joint)
             sign = 1 if drive is None or self.drive(drive).link == link else -1
-            edges.append(Edge(link, joint, drive, sign))
+            edges.append(LinkPlacement(link, joint, drive, sign))
             placed[link] = len(placed)
             del todo[link]
         closures = self.closures({*part}, edges)
         free = sum(FREEDOMS - edge.joint.rows for edge in edges if edge.drive is None)
-        return Cluster(tuple(edges), tuple(closures)) if free == sum(c.rows for c in closures) and free else None
+        return HigherGroup(tuple(edges), tuple(closures)) if free == sum(c.rows for c in closures) and free else None
 
-    def closures(self, part: set[str], edges: list[Edge]) -> list[Connection]:
+    def closures(self, part: set[str], edges: list[LinkPlacement]) -> list[Connection]:
         """The joints among the links and the known ones that the tree doesn't use."""
-        placing: dict[str, list[Edge]] = {}
+        placing: dict[str, list[LinkPlacement]] = {}
         for edge in edges:
             placing.setdefault(edge.joint.joint, []).append(edge)
         found = []
@@ -206,7 +206,7 @@ def _dyad(a: _Side, inner: Connection, b: _Side) -> Group | None:
 
 def decompose(mechanism: Mechanism) -> Structure:
     """The structure of a mechanism whose names are sound (see :func:`linkwright.model.check.check_names`)."""
-    structure = _Search(Topology(mechanism)).run()
+    structure = _GroupSearch(Topology(mechanism)).run()
     looped = structure.topology.closing_slides
     excess = [f for f in structure.findings if f.code == "structure.overconstrained" or (looped and f.code == TWICE)]
     if not excess:
@@ -220,6 +220,6 @@ def _spare_drive(topology: Topology) -> Finding | None:
     mechanism = topology.mechanism
     for name, drive in reversed([*mechanism.movers.items()]):
         rest = mechanism.without_mover(name)
-        if rest.movers and not _Search(Topology(rest)).run().findings:
+        if rest.movers and not _GroupSearch(Topology(rest)).run().findings:
             return Finding("structure.drive-too-many", mechanism.path_of(name), {"link": drive.link, "on": drive.on})
     return None

@@ -13,7 +13,7 @@ from linkwright.structure.topology import FREEDOMS, PIN, Connection, Topology
 
 
 @dataclass
-class Placed:
+class PlacedLinks:
     """The ``known`` links with their rank in the order in which they were placed, and the ``joints`` of drives that
     wait."""
 

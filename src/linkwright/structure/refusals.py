@@ -9,7 +9,7 @@ from linkwright.expressions.unknown import alike
 from linkwright.findings import Finding
 from linkwright.model.mechanism import FRAME
 from linkwright.structure.freedoms import Freedoms
-from linkwright.structure.placed import Placed
+from linkwright.structure.placed import PlacedLinks
 from linkwright.structure.steps import Step
 from linkwright.structure.topology import PIN, Topology
 
@@ -19,7 +19,7 @@ MANY = 12
 """The most loose links that are all named; of more, those at which the free motions begin."""
 
 
-def unsolved(placed: Placed) -> Iterator[Finding]:
+def unsolved(placed: PlacedLinks) -> Iterator[Finding]:
     """Drives that prescribe nothing new, and the links left: held too much, loose, or in loops of slides."""
     for name in placed.joints:
         drive = placed.drive(name)
@@ -48,7 +48,9 @@ def unsolved(placed: Placed) -> Iterator[Finding]:
             yield Finding("structure.loop-of-slides", ("links", part[0]), {"links": ", ".join(part)})
 
 
-def _loose(placed: Placed, freedoms: Freedoms, part: list[str], free: dict[str, int], cutoff: float | None) -> Finding:
+def _loose(
+    placed: PlacedLinks, freedoms: Freedoms, part: list[str], free: dict[str, int], cutoff: float | None
+) -> Finding:
     """What a connected part of the links lacks: a pin, by the spelling of its points, or a drive."""
     links = part if len(part) <= MANY else list(free)
     data: dict[str, object] = {"links": ", ".join(links[:MANY]), "freedom": sum(free.values())}
@@ -89,7 +91,7 @@ def _digits(name: str) -> str:
     return "".join(filter(str.isdigit, name))
 
 
-def _drive_hint(placed: Placed, part: list[str]) -> str:
+def _drive_hint(placed: PlacedLinks, part: list[str]) -> str:
     """A drive line that would hold a loose part, where one of its links hangs on a known one."""
     for link in part:
         for c in placed.outers(link):

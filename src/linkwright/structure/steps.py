@@ -34,7 +34,7 @@ class Driven:
 
 
 @dataclass(frozen=True)
-class Edge:
+class LinkPlacement:
     """How a link of a group is placed: by a joint on an earlier link, free, or held by a drive inside."""
 
     link: str
@@ -48,7 +48,7 @@ class Edge:
         return self.joint.other(self.link)
 
 
-Chain = tuple[Edge, ...]
+Chain = tuple[LinkPlacement, ...]
 
 
 @dataclass(frozen=True)
@@ -180,14 +180,14 @@ class Wedge:
 
 
 @dataclass(frozen=True)
-class Cluster:
+class HigherGroup:
     """A group beyond the dyads: links placed one on another over a tree of joints, and the joints that close it.
 
     Each free edge has an unknown coordinate (the link's angle on a pin, its travel on a line), each closure
     two equations.
     """
 
-    edges: tuple[Edge, ...]
+    edges: tuple[LinkPlacement, ...]
     closures: tuple[Connection, ...]
 
     @cached_property
@@ -206,7 +206,7 @@ class Cluster:
         return tuple(edge.drive for edge in self.edges if edge.drive)
 
     @property
-    def free(self) -> tuple[Edge, ...]:
+    def free(self) -> tuple[LinkPlacement, ...]:
         """The edges with an unknown coordinate."""
         return tuple(edge for edge in self.edges if edge.drive is None)
 
@@ -229,7 +229,7 @@ class Cluster:
         return (*(edge.joint for edge in self.edges), *self.closures)
 
 
-Step = Driven | Group | Wedge | Cluster
+Step = Driven | Group | Wedge | HigherGroup
 
 
 @dataclass(frozen=True)
@@ -246,11 +246,11 @@ class Structure:
         return tuple(step for step in self.steps if isinstance(step, Group))
 
     @property
-    def clusters(self) -> tuple[Cluster, ...]:
+    def higher_groups(self) -> tuple[HigherGroup, ...]:
         """The groups beyond dyads among the steps."""
-        return tuple(step for step in self.steps if isinstance(step, Cluster))
+        return tuple(step for step in self.steps if isinstance(step, HigherGroup))
 
     @property
-    def choices(self) -> tuple[Group | Cluster, ...]:
+    def choices(self) -> tuple[Group | HigherGroup, ...]:
         """The steps that can be put together in several ways."""
-        return tuple(s for s in self.steps if isinstance(s, Cluster) or (isinstance(s, Group) and s.modes > 1))
+        return tuple(s for s in self.steps if isinstance(s, HigherGroup) or (isinstance(s, Group) and s.modes > 1))

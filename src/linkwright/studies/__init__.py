@@ -13,8 +13,8 @@ from linkwright.studies.limits.study import LimitsOptions
 from linkwright.studies.modes.outcome import ModesOutcome
 from linkwright.studies.modes.study import ModesOptions, find_modes
 from linkwright.studies.reactions.study import Reactions  # noqa: F401
-from linkwright.studies.registry import STUDIES, Study, Task, read_studies
-from linkwright.studies.run_context import NOWHERE, Site
+from linkwright.studies.registry import STUDIES, Study, StudyTask, read_studies
+from linkwright.studies.run_context import NOWHERE, RunContext
 from linkwright.studies.sampling import Interrupted
 from linkwright.studies.sweep.options import SweepOptions
 from linkwright.studies.sweep.outcome import SweepOutcome
@@ -34,12 +34,12 @@ __all__ = [
     "MeasureResult",
     "ModesOptions",
     "ModesOutcome",
-    "Site",
+    "RunContext",
     "Stopped",
     "Study",
+    "StudyTask",
     "SweepOptions",
     "SweepOutcome",
-    "Task",
     "WorkspaceOutcome",
     "find_modes",
     "read_studies",

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from linkwright.expressions import units as u
 from linkwright.findings import Finding, Term
 from linkwright.graph.assembly import shortfall_at, shortfall_data
-from linkwright.graph.rows import Determinant, Named, Reach, Span, reaches, spans
+from linkwright.graph.rows import Determinant, Named, ReachRow, Span, reaches, spans
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
 from linkwright.results import Run
@@ -41,7 +41,7 @@ def unassembled(run: Run) -> list[Finding]:
         if group.modes < 2:
             continue
         ends = [end for gap in taken for end in gap]
-        found = gaps(run, Reach(group.label), ends)
+        found = gaps(run, ReachRow(group.label), ends)
         for start, stop, worst in islice(found, MANY):
             if not any(a <= start and stop <= b for a, b in taken):
                 taken.append((start, stop))
@@ -52,16 +52,18 @@ def unassembled(run: Run) -> list[Finding]:
 
 
 def stuck(run: Run) -> list[Finding]:
-    """Where a cluster can't be followed any further: it has met a singular pose of its own."""
-    run.compiled.inputs(np.array([run.stop]))  # lays the paths of all clusters
+    """Where a higher group can't be followed any further: it has met a singular pose of its own."""
+    run.compiled.inputs(np.array([run.stop]))  # lays the paths of all higher groups
     findings = []
     for follower in run.compiled.followers:
         end = follower.path.end
         if end is None or end >= run.stop:
             continue
-        data: dict[str, Any] = {"group": follower.cluster.label, "links": ", ".join(follower.cluster.links)}
+        data: dict[str, Any] = {"group": follower.higher_group.label, "links": ", ".join(follower.higher_group.links)}
         data |= {"time": f"{end:.6g}", "start": end, "stop": run.stop}
-        findings.append(Finding("motion.stuck", ("links", follower.cluster.links[0]), data | drive_value(run, end)))
+        findings.append(
+            Finding("motion.stuck", ("links", follower.higher_group.links[0]), data | drive_value(run, end))
+        )
     return findings
 
 
@@ -96,7 +98,7 @@ def row_of(run: Run, row: Named, more: Sequence[float] = ()) -> tuple[Array, Arr
     return t, run.compiled.evaluate([row], t)[0]
 
 
-def gaps(run: Run, row: Reach, ends: Sequence[float]) -> Iterator[tuple[float, float, float]]:
+def gaps(run: Run, row: ReachRow, ends: Sequence[float]) -> Iterator[tuple[float, float, float]]:
     """Intervals in which a reach is negative, with the time of its least value; each is looked at as it is asked for.
 
     ``ends`` are those of the gaps of earlier groups, where this one's reach may stop while it is negative.
@@ -249,7 +251,7 @@ def _passed(run: Run, group: str, time: float) -> bool:
 
 def touching(run: Run, group: str, limit: float = TOUCH) -> list[tuple[float, float]]:
     """Where a group's reach comes within a limit of zero: time and reach at the lowest place of each such stretch."""
-    t, reach = row_of(run, Reach(group))
+    t, reach = row_of(run, ReachRow(group))
     return [(float(t[i]), float(reach[i])) for i in _lowest(reach, limit)]
 
 

@@ -32,7 +32,7 @@ from linkwright.results.discontinuities import kinks, law_joins
 from linkwright.results.stationary import fineness
 from linkwright.studies.batch_quadrature import CLOSE, FIRST_PANELS, MOST_PANELS, corners, mean
 from linkwright.studies.follower_locking import angles
-from linkwright.studies.taken import Many, Taken
+from linkwright.studies.sampled_measure import Many, Taken
 
 Array = NDArray[np.float64]
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from linkwright.expressions import units as u
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, ModelError, enumerated
-from linkwright.graph.rows import Named, Reach
+from linkwright.graph.rows import Named, ReachRow
 from linkwright.kernels import Compiled
 from linkwright.kernels.change_points import GAP, Passage, Passages, unwrapped
 from linkwright.notation.angles import wrapped
@@ -52,7 +52,7 @@ def carried(run: Run) -> tuple[Run, list[Finding]]:
     touches: list[_Touch] = []
     for group in run.compiled.structure.groups:
         if group.modes > 1:
-            here, failed = _through(run, touches, [Reach(group.label)])
+            here, failed = _through(run, touches, [ReachRow(group.label)])
             if failed:
                 return here, failed
             touches += _touches(here, group.label)
@@ -84,7 +84,7 @@ def _finding(run: Run, code: str, passage: Passage, severity: str, **data: objec
 
 
 def _touches(run: Run, group: str) -> list[_Touch]:
-    row, length = [Reach(group)], run.stop - run.start
+    row, length = [ReachRow(group)], run.stop - run.start
     found = []
     for time, _ in touching(run, group):
         room, last = 1e-5 * length, 0.0
@@ -95,7 +95,7 @@ def _touches(run: Run, group: str) -> list[_Touch]:
     return found
 
 
-def _least(compiled: Compiled, row: list[Reach], t: Array) -> float:
+def _least(compiled: Compiled, row: list[ReachRow], t: Array) -> float:
     """The least value of a row; NaN where a law has none."""
     try:
         return float(compiled.evaluate(row, t).min())
@@ -103,7 +103,7 @@ def _least(compiled: Compiled, row: list[Reach], t: Array) -> float:
         return float("nan")
 
 
-def _polished(compiled: Compiled, row: list[Reach], time: float, near: float) -> float:
+def _polished(compiled: Compiled, row: list[ReachRow], time: float, near: float) -> float:
     """The time at which the reach's rate is zero; at the ends of the run that may be a trifle outside of it."""
     from scipy.optimize import brentq
 
@@ -152,7 +152,7 @@ def _settled(compiled: Compiled, passage: Passage, names: Sequence[Named]) -> di
     """The signals that grow without bound and the power by which; ``None`` where the band doesn't hold."""
     t = passage.time + GAP * passage.width * np.array([-1.0, -0.5, 0.5, 1.0])
     try:
-        reach = compiled.closed([Reach(group) for group in passage.groups], t)
+        reach = compiled.closed([ReachRow(group) for group in passage.groups], t)
         if not reach.min() > TOUCH:
             return None
         growth = np.log2(reach[:, [0, 3]] / reach[:, [1, 2]])  # fourfold at twice the time

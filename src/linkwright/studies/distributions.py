@@ -32,7 +32,7 @@ MOST_STEPS = 1_000_000
 
 
 @dataclass(frozen=True)
-class Spread:
+class ParameterSpread:
     """What a parameter takes, in SI: its value at shares u in (0, 1), and its ``points`` where there are only so many.
 
     ``quantile`` takes and gives arrays of any shape.
@@ -42,10 +42,10 @@ class Spread:
     points: Array | None = None
 
 
-def _pointed(points: Array) -> Spread:
+def _pointed(points: Array) -> ParameterSpread:
     """Equally likely values."""
     last = points.size - 1
-    return Spread(lambda u: points[np.minimum((u * points.size).astype(np.int64), last)], points)
+    return ParameterSpread(lambda u: points[np.minimum((u * points.size).astype(np.int64), last)], points)
 
 
 class Steps(Frozen):
@@ -70,7 +70,7 @@ class Steps(Frozen):
         if numbers[0] == numbers[1]:
             yield "value.not-rising", {"low": self.from_.text[:40], "high": self.to.text[:40]}
 
-    def spread(self, numbers: list[float]) -> Spread:
+    def spread(self, numbers: list[float]) -> ParameterSpread:
         """The values from the numbers of its parts (SI)."""
         return _pointed(np.linspace(numbers[0], numbers[1], self.count))
 
@@ -99,7 +99,7 @@ class Listed(Written):
         """Nothing: any list will do."""
         yield from ()
 
-    def spread(self, numbers: list[float]) -> Spread:
+    def spread(self, numbers: list[float]) -> ParameterSpread:
         """The values."""
         return _pointed(np.array(numbers))
 
@@ -118,7 +118,7 @@ class Distribution(Frozen):
         """What is wrong with the numbers of its parts (SI)."""
 
     @abstractmethod
-    def spread(self, numbers: list[float]) -> Spread:
+    def spread(self, numbers: list[float]) -> ParameterSpread:
         """The values from the numbers of its parts (SI)."""
 
 
@@ -155,7 +155,7 @@ class Normal(Distribution):
         elif self._share(mean, sigma, low, high)[1] < LEAST_SHARE:
             yield "study.cut-distribution", {"share": LEAST_SHARE}
 
-    def spread(self, numbers: list[float]) -> Spread:
+    def spread(self, numbers: list[float]) -> ParameterSpread:
         from scipy.special import ndtri
 
         mean, sigma, low, high = self._numbers(numbers)
@@ -166,7 +166,7 @@ class Normal(Distribution):
             rank = below + share * (u if side > 0 else 1 - u)
             return np.asarray(np.clip(mean + side * sigma * ndtri(rank), low, high))
 
-        return Spread(quantile)
+        return ParameterSpread(quantile)
 
     def _numbers(self, numbers: list[float]) -> tuple[float, float, float, float]:
         given = dict(zip((place[0] for place, _ in self.parts()), numbers, strict=True))
@@ -196,9 +196,9 @@ class Uniform(Distribution):
         if not numbers[0] < numbers[1]:
             yield "value.not-rising", {"low": self.uniform[0].text[:40], "high": self.uniform[1].text[:40]}
 
-    def spread(self, numbers: list[float]) -> Spread:
+    def spread(self, numbers: list[float]) -> ParameterSpread:
         low, high = numbers
-        return Spread(lambda u: low + u * (high - low))
+        return ParameterSpread(lambda u: low + u * (high - low))
 
 
 def _three(raw: Any) -> Any:
@@ -224,7 +224,7 @@ class Triangular(Distribution):
         if not (low <= mode <= high and low < high):
             yield "study.triangle", {"values": ", ".join(part.text[:20] for part in self.triangular)}
 
-    def spread(self, numbers: list[float]) -> Spread:
+    def spread(self, numbers: list[float]) -> ParameterSpread:
         low, mode, high = numbers
         width, rise = high - low, mode - low
 
@@ -232,7 +232,7 @@ class Triangular(Distribution):
             rising = low + np.sqrt(u * width * rise)
             return np.where(u * width < rise, rising, high - np.sqrt((1 - u) * width * (high - mode)))
 
-        return Spread(quantile)
+        return ParameterSpread(quantile)
 
 
 def _kind(raw: Any) -> str:

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.kernels import Compiled
-from linkwright.kernels.continuation import Follower
+from linkwright.kernels.continuation import Continuation
 from linkwright.kernels.followers import recomposed
-from linkwright.kernels.law import Law
+from linkwright.kernels.law import DriveLaw
 from linkwright.kernels.laws import constant_acceleration, values_at
 from linkwright.notation.angles import whole_turns
 from linkwright.results import Run
@@ -28,10 +28,11 @@ EDGE = 0.02
 """How far a search looks past an end at which the motion may go on, so that a root right there is found."""
 
 
-class _BothWays(Follower):
-    """A cluster followed from the start pose up and down: below it stand the poses of the same sweep run backwards."""
+class _BothWays(Continuation):
+    """A higher group followed from the start pose up and down: below it stand the poses of the same sweep run
+    backwards."""
 
-    def __init__(self, up: Follower, down: Compiled, place: int) -> None:
+    def __init__(self, up: Continuation, down: Compiled, place: int) -> None:
         self.__dict__.update(up.__dict__)
         self.down, self.place = down, place
 
@@ -41,12 +42,12 @@ class _BothWays(Follower):
         if not below.all():
             found[:, ~below] = super().solve(x[:, ~below], t[~below], p, at)
         if below.any():
-            found[:, below] = self.down.inputs(-t[below], clusters=self.place + 1)[self.rows]
+            found[:, below] = self.down.inputs(-t[below], higher_groups=self.place + 1)[self.rows]
         return found
 
     def ends(self) -> tuple[tuple[float, bool], ...]:
-        """How far the cluster could be followed down and up so far, infinite where it could all the way; and whether
-        a slide ran away there."""
+        """How far the higher group could be followed down and up so far, infinite where it could all the way; and
+        whether a slide ran away there."""
         paths = self.down.followers[self.place].path, self.path
         return tuple(
             (sign * np.inf, False) if path.end is None else (sign * path.end, self.out(path.u[-1]) > FAR)
@@ -62,7 +63,7 @@ def sweeping(compiled: Compiled, drive: str) -> Compiled:
     """The mechanism with one drive at unit speed (1 rad/s or 1 m/s), at its start value at time 0; others rest."""
     values = values_at(compiled.laws, 0.0)
 
-    def laws(speed: float) -> dict[str, Law]:
+    def laws(speed: float) -> dict[str, DriveLaw]:
         alone = {name: constant_acceleration(value, speed * (name == drive)) for name, value in values.items()}
         return recomposed(compiled.laws, alone)
 
@@ -73,8 +74,8 @@ def sweeping(compiled: Compiled, drive: str) -> Compiled:
     return up
 
 
-def cluster_ends(compiled: Compiled, low: float, high: float) -> list[tuple[tuple[float, bool], ...]]:
-    """How far down and up each cluster of a sweep can be followed between two times; see ``_BothWays.ends``."""
+def higher_group_ends(compiled: Compiled, low: float, high: float) -> list[tuple[tuple[float, bool], ...]]:
+    """How far down and up each higher group of a sweep can be followed between two times; see ``_BothWays.ends``."""
     for end in (low, high):
         compiled.inputs(np.array([end]))
     return [follower.ends() for follower in compiled.followers if isinstance(follower, _BothWays)]

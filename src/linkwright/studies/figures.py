@@ -21,7 +21,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class Column:
+class FigureColumn:
     """One figure of each sample: of which measure, which of its figures ("", min, max), its unit with its SI value."""
 
     measure: str
@@ -41,13 +41,13 @@ class Column:
         return Variable(f"measure {self.name}", "sample", values, self.unit, self.size, unit, column=self.name)
 
 
-def columns(compiled: Compiled, measure: BoundMeasure) -> list[Column]:
+def columns(compiled: Compiled, measure: BoundMeasure) -> list[FigureColumn]:
     """The figures of a measure."""
     text, size = measure.unit(compiled.quantities)
-    return [Column(measure.name, label, measure.dimension, text, size) for label in measure.kind.labels]
+    return [FigureColumn(measure.name, label, measure.dimension, text, size) for label in measure.kind.labels]
 
 
-class Figures:
+class SampleFigures:
     """Measures of many samples of a run; the ``required`` ones have a requirement."""
 
     def __init__(self, run: Run, varied: Varied, measures: Sequence[BoundMeasure], kernel: str) -> None:

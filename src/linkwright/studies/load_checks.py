@@ -68,7 +68,7 @@ def contacts(run: Run) -> list[Finding]:
     for name, follower in m.followers.items():
         findings += _lifted(run, m.path_of(name), follower.one_sided, follower.title, follower.lifts)
     for name, follower in m.followers.items():
-        findings += follower.findings(Followed(run), m.path_of(name))
+        findings += follower.findings(RunMotion(run), m.path_of(name))
     for name, joint in m.joints_but_pins():
         findings += _lifted(run, ("joints", name), joint.one_sided, topology.kind_of(name).title, "joint.lifts-off")
     return findings
@@ -78,7 +78,7 @@ def _lifted(run: Run, path: tuple[str, str], one_sided: Mapping[str, int], kind:
     """A warning for each contact of a joint whose links would have to pull each other, where they pull hardest."""
     for attribute, sign in one_sided.items():
         signal = f"{path[1]}.{attribute}"
-        t, force = Followed(run).row(signal)
+        t, force = RunMotion(run).row(signal)
         worst = int(np.argmin(sign * force))
         pull = -sign * float(force[worst])
         if pull > NEAR * np.abs(force).max():
@@ -87,7 +87,7 @@ def _lifted(run: Run, path: tuple[str, str], one_sided: Mapping[str, int], kind:
             yield _at(run, code, path, float(t[worst]), "warning", **data)
 
 
-class Followed:
+class RunMotion:
     """A motion that was followed, as kinds of followers ask for it."""
 
     def __init__(self, run: Run) -> None:

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from linkwright.blocks import UNIT, generator
 from linkwright.notation.registry import Registry
-from linkwright.studies.distributions import Spread
+from linkwright.studies.distributions import ParameterSpread
 
 Array = NDArray[np.float64]
 
@@ -63,12 +63,12 @@ class Plan:
     independent: ClassVar[bool] = False
     """Whether shares of samples have the confidence interval of independent ones (or a narrower one)."""
 
-    def __init__(self, spreads: Sequence[Spread], samples: int, seed: int, names: Sequence[str] = ()) -> None:
+    def __init__(self, spreads: Sequence[ParameterSpread], samples: int, seed: int, names: Sequence[str] = ()) -> None:
         self.spreads, self.samples, self.seed = tuple(spreads), self.count(spreads, samples), seed
         self.names = tuple(names)
 
     @classmethod
-    def count(cls, spreads: Sequence[Spread], samples: int) -> int:
+    def count(cls, spreads: Sequence[ParameterSpread], samples: int) -> int:
         """How many samples there are."""
         return samples
 
@@ -103,7 +103,7 @@ class Grid(Plan):
     chosen = False
 
     @classmethod
-    def count(cls, spreads: Sequence[Spread], samples: int) -> int:
+    def count(cls, spreads: Sequence[ParameterSpread], samples: int) -> int:
         return prod(spread.points.size for spread in spreads if spread.points is not None)
 
     def shares(self, unit: int) -> Array:
@@ -162,7 +162,7 @@ class Sobol(Plan):
     BITS = 32
     most = 2**BITS
 
-    def __init__(self, spreads: Sequence[Spread], samples: int, seed: int, names: Sequence[str] = ()) -> None:
+    def __init__(self, spreads: Sequence[ParameterSpread], samples: int, seed: int, names: Sequence[str] = ()) -> None:
         super().__init__(spreads, samples, seed, names)
         self._lock = Lock()
         self._engine: Any = None

@@ -18,7 +18,7 @@ from linkwright.notation.registry import Registry
 from linkwright.plugins import load
 from linkwright.presentation.blocks import FileOf, StudyReport
 from linkwright.results import Result
-from linkwright.studies.run_context import Site
+from linkwright.studies.run_context import RunContext
 from linkwright.studies.sections import read_section
 from linkwright.words import add
 
@@ -88,7 +88,7 @@ class Study(ABC):
         return []
 
     @abstractmethod
-    def run(self, compiled: Compiled, options: Any, site: Site) -> Any:
+    def run(self, compiled: Compiled, options: Any, site: RunContext) -> Any:
         """The study's :class:`Outcome`, performed where ``site`` says."""
 
     @abstractmethod
@@ -128,19 +128,19 @@ def register(cls: type) -> type:
 
 
 @dataclass(frozen=True)
-class Task:
+class StudyTask:
     """One study of a file with its parsed options."""
 
     study: Study
     options: Any
 
 
-def read_studies(raw: Mapping[str, Mapping[str, Any]]) -> tuple[list[Task], list[Finding]]:
+def read_studies(raw: Mapping[str, Mapping[str, Any]]) -> tuple[list[StudyTask], list[Finding]]:
     """The studies that a file names, and what is wrong with their options."""
     if raw.keys() - STUDIES.keys():
         load("studies")
     read, findings = read_section("studies", raw, STUDIES, "study.unknown", "study.options")
-    return [Task(study, options) for study, options in read], findings
+    return [StudyTask(study, options) for study, options in read], findings
 
 
 class Outcomes(dict[str, Any]):

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Site:
+class RunContext:
     """Around a study.
 
     ``document`` is the file, ``folder`` where its tables lie. Into ``out`` go files that are too large for memory, and
@@ -32,5 +32,5 @@ class Site:
     keep: Callable[[Path, str], None] = lambda path, study: None
 
 
-NOWHERE = Site()
+NOWHERE = RunContext()
 """Nothing is known, nothing outlasts the process."""

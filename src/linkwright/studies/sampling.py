@@ -14,7 +14,7 @@ from linkwright.blocks import UNIT, Carried, Threads, carry
 from linkwright.blocks.runners import opened
 from linkwright.findings import Finding, ModelError, Term
 from linkwright.kernels import KERNELS
-from linkwright.kernels.kernel_selection import Choice, choose
+from linkwright.kernels.kernel_selection import KernelChoice, choose
 from linkwright.measures import BoundMeasure, bound
 from linkwright.model.origin import table_files
 from linkwright.results import Run
@@ -22,7 +22,7 @@ from linkwright.studies.assembly_checks import singular, unassembled
 from linkwright.studies.change_point_carry import carried
 from linkwright.studies.follower_locking import locked
 from linkwright.studies.histograms import coarse, fine, histogram, reach
-from linkwright.studies.run_context import Site
+from linkwright.studies.run_context import RunContext
 from linkwright.studies.sampled_study import sampled_study
 from linkwright.studies.sampling_options import Sampling
 from linkwright.studies.sampling_state import Kept, tabled
@@ -105,7 +105,7 @@ def refused(nominal: Run, options: Sampling, names: Iterable[str]) -> list[Findi
     return found or locked(nominal)
 
 
-def chosen(nominal: Run, options: Sampling, more: Sequence[BoundMeasure] = ()) -> Choice:
+def chosen(nominal: Run, options: Sampling, more: Sequence[BoundMeasure] = ()) -> KernelChoice:
     """The kernel that computes it with ``more`` measures, and why. That doesn't depend on the runner, which may change
     no figure."""
     samples = sampled_study(options).draws(nominal.compiled, options).samples
@@ -118,7 +118,9 @@ def chosen(nominal: Run, options: Sampling, more: Sequence[BoundMeasure] = ()) -
     return choose(program, poses, wish=options.kernel)
 
 
-def perform(nominal: Run, options: Sampling, kernel: str, site: Site, more: tuple[BoundMeasure, ...] = ()) -> Performed:
+def perform(
+    nominal: Run, options: Sampling, kernel: str, site: RunContext, more: tuple[BoundMeasure, ...] = ()
+) -> Performed:
     """Compute all samples, with ``more`` measures than the options ask for, going on with an interrupted study in the
     site's folder.
 

@@ -16,7 +16,7 @@ from linkwright.expressions.written import describe
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model.names import Names
-from linkwright.model.places import Place, Scope
+from linkwright.model.places import ExpressionPlace, Scope
 from linkwright.model.sampled import dependent
 from linkwright.studies.cycle.options import TURNS, CycleOptions, beside, span
 
@@ -120,7 +120,7 @@ def signal_faults(compiled: Compiled, expression: Expression, path: tuple[str | 
 def name_faults(compiled: Compiled, expression: Expression, path: tuple[str | int, ...]) -> list[Finding]:
     """What is wrong with the names of an expression of signals."""
     place, names = (
-        Place(path, expression, u.PURE, Scope.SIGNALS),
+        ExpressionPlace(path, expression, u.PURE, Scope.SIGNALS),
         Names(compiled.mechanism, compiled.quantities.signals),
     )
     return [*names.unknown(place), *names.misplaced(place)]

@@ -13,7 +13,7 @@ from linkwright.blocks.checkpoint import unsaved
 from linkwright.blocks.store import Stored, Variable
 from linkwright.blocks.work import Arrays
 from linkwright.findings import Finding, ModelError
-from linkwright.studies.run_context import Site
+from linkwright.studies.run_context import RunContext
 from linkwright.studies.sampling_output import Samples
 from linkwright.studies.sampling_task import SampleTask, SampleWork
 
@@ -35,7 +35,7 @@ def store(study: str) -> str:
     return f"{study}.zarr"
 
 
-class Held:
+class SignalMemory:
     """A sink that holds all values of signals in memory: ``values`` (signals, samples, poses)."""
 
     def __init__(self, cut: Cut, texts: tuple[str, ...]) -> None:
@@ -60,11 +60,11 @@ class Kept:
     samples: Samples
     signals: Folding
     stored: Stored | None = None
-    held: Held | None = None
+    held: SignalMemory | None = None
     files: list[Path] = field(default_factory=list)
 
     @classmethod
-    def begun(cls, task: SampleTask, work: SampleWork, site: Site) -> Kept:
+    def begun(cls, task: SampleTask, work: SampleWork, site: RunContext) -> Kept:
         """Sinks that go on where the site's folder has them. Raises :class:`ModelError`."""
         files: list[Path] = []
         study, key = task.options.study, work.content
@@ -93,7 +93,7 @@ class Kept:
             elif len(task.signals.texts) * task.cut.samples * task.cut.poses > VALUES:
                 raise ModelError([Finding("study.no-folder", ("studies", study, "keep"), {"limit": f"{VALUES:,}"})])
             else:
-                made.held = Held(task.cut, task.signals.texts)
+                made.held = SignalMemory(task.cut, task.signals.texts)
         return made
 
     @property

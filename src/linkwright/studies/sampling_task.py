@@ -26,13 +26,13 @@ from linkwright.kernels.registry import KERNELS
 from linkwright.kernels.versions import versions
 from linkwright.measures import BoundMeasure, bound
 from linkwright.model.document import Document, plain
-from linkwright.model.places import Place
+from linkwright.model.places import ExpressionPlace
 from linkwright.model.temporary import temporary_folder
 from linkwright.notation.angles import whole_turns
 from linkwright.results import Run
 from linkwright.results.dataset import si_unit
 from linkwright.studies.cycle.options import span
-from linkwright.studies.figures import Figures
+from linkwright.studies.figures import SampleFigures
 from linkwright.studies.histograms import fine
 from linkwright.studies.registry import read_studies
 from linkwright.studies.sampled_study import sampled_study
@@ -60,7 +60,7 @@ class SampleWork:
     study: str
     more: tuple[BoundMeasure, ...] = ()
     reach: tuple[tuple[float, float], ...] = ()
-    uses: tuple[Place, ...] = ()
+    uses: tuple[ExpressionPlace, ...] = ()
 
     @cached_property
     def versions(self) -> dict[str, str]:
@@ -124,9 +124,9 @@ class SampleTask:
         self.varied = Varied(compiled, self.plan.names)
         stop = span(compiled, options.cycle)[0]
         self.run = Run(compiled, 0.0, stop, options.steps)
-        self.signals = Signals(self.run, self.varied, [s.text for s in options.signals(compiled)], kernel)
+        self.signals = SampledSignals(self.run, self.varied, [s.text for s in options.signals(compiled)], kernel)
         measures = [*bound(compiled.quantities, options.measures(compiled)), *more]
-        self.figures = Figures(self.run, self.varied, measures, kernel)
+        self.figures = SampleFigures(self.run, self.varied, measures, kernel)
         self.cut = Cut(self.plan.samples, self.run.t.size if self.signals.texts else 1)
 
     @property
@@ -218,7 +218,7 @@ class SampleTask:
         return [Variable(text, unit=si_unit(dimension(parse(text)))) for text in self.signals.texts]
 
 
-class Signals:
+class SampledSignals:
     """Signals and expressions of them over many samples, at the poses of a run."""
 
     def __init__(self, run: Run, varied: Varied, texts: Sequence[str], kernel: str) -> None:

@@ -156,7 +156,7 @@ class Standard(ToleranceClass):
 
 
 @register
-class Fit(ToleranceClass):
+class FitClass(ToleranceClass):
     """The tolerance class of a hole or a shaft: ``H7``, ``h7``, ``js9``."""
 
     standard = "ISO 286-1"

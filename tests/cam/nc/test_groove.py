@@ -18,25 +18,25 @@ from tests.cam.lifts import HEAT_SEAL, harmonic, heat_seal
 from linkwright.cam.disc import Disc
 from linkwright.cam.followers import SwingingRoller, TranslatingRoller
 from linkwright.cam.nc.groove import Groove
-from linkwright.cam.nc.job import Job, passes
+from linkwright.cam.nc.job import MillingJob, passes
 from linkwright.cam.nc.posts import POSTS
 from linkwright.cam.nc.preflight import faults
-from linkwright.cam.nc.proof import Proof, prove
+from linkwright.cam.nc.proof import NCProof, prove
 from linkwright.cam.nc.reader import Move, read
 from linkwright.cam.rolling import rolled_within
 
 DISC = Disc(SwingingRoller(0.039, 0.020, 0.085, 0.090), heat_seal, -1, HEAT_SEAL)
-JOB = Job(8.0, 12.0, 2e-5, 12.0, 400.0, 100.0, 6000.0, start=math.radians(200), spring=False, groove=True)
+JOB = MillingJob(8.0, 12.0, 2e-5, 12.0, 400.0, 100.0, 6000.0, start=math.radians(200), spring=False, groove=True)
 SMALL = Disc(TranslatingRoller(0.016, 0.006, 0.002), harmonic(0.003, 4e-4, 0.3), -1)
 LITTLE = replace(JOB, cutter=2.4, depth=6.0, step=6.0, tolerance=5e-6, start=0.0, lead=2.0)
 ANGLES = 180
 
 
-def milled(disc: Disc, job: Job, post: str = "fanuc") -> str:
+def milled(disc: Disc, job: MillingJob, post: str = "fanuc") -> str:
     return POSTS[post].text(job, list(Groove(disc, job).passes()))
 
 
-def proven(disc: Disc, job: Job, text: str) -> Proof:
+def proven(disc: Disc, job: MillingJob, text: str) -> NCProof:
     return prove(disc, text, job.cutter / 1e3, ANGLES, groove=True)
 
 
@@ -48,13 +48,13 @@ def exact(disc: Disc) -> Any:
     return ring
 
 
-def region(proof: Proof) -> Any:
+def region(proof: NCProof) -> Any:
     """What is left out between the contours of a proof (mm), at the bottom."""
     inner, outer = proof.contours[0], proof.contours[len(proof.contours) // 2]
     return shapely.Polygon(1e3 * outer.T).buffer(0) - shapely.Polygon(1e3 * inner.T).buffer(0)
 
 
-def assert_sound(disc: Disc, job: Job, proof: Proof) -> None:
+def assert_sound(disc: Disc, job: MillingJob, proof: NCProof) -> None:
     assert not proof.faults
     assert 0 < proof.worst < job.tolerance
     wanted, made = exact(disc), region(proof)

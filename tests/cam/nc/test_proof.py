@@ -13,7 +13,7 @@ from tests.cam.lifts import HEAT_SEAL, harmonic, heat_seal
 
 from linkwright.cam.disc import Disc
 from linkwright.cam.followers import SwingingFlat, SwingingRoller, TranslatingFlat, TranslatingRoller
-from linkwright.cam.nc.job import Job, passes
+from linkwright.cam.nc.job import MillingJob, passes
 from linkwright.cam.nc.path import Sharp
 from linkwright.cam.nc.posts import POSTS
 from linkwright.cam.nc.preflight import faults, warnings
@@ -21,11 +21,11 @@ from linkwright.cam.nc.proof import prove
 from linkwright.cam.nc.reader import read
 
 DISC = Disc(SwingingRoller(0.039, 0.020, 0.085, 0.090), heat_seal, -1, HEAT_SEAL)
-JOB = Job(8.0, 12.0, 2e-5, 12.0, 400.0, 100.0, 6000.0, start=math.radians(200), spring=False)
+JOB = MillingJob(8.0, 12.0, 2e-5, 12.0, 400.0, 100.0, 6000.0, start=math.radians(200), spring=False)
 ANGLES = 720
 
 
-def milled(disc: Disc, job: Job, post: str = "fanuc") -> str:
+def milled(disc: Disc, job: MillingJob, post: str = "fanuc") -> str:
     return POSTS[post].text(job, list(passes(disc, job)))
 
 

@@ -15,9 +15,9 @@ from helpers.cams import SIGNS, newton_euler, pair, pose
 from helpers.compiled import compiled_from
 from helpers.differences import derivatives
 from linkwright.cam.cams_of_mechanism import disc, frame
-from linkwright.cam.contact import Side
+from linkwright.cam.contact import ContactPlace
 from linkwright.cam.form_closure import conjugate, yoke
-from linkwright.cam.loads import Loads, forces
+from linkwright.cam.loads import FollowerLoads, forces
 from linkwright.elements.cam_contact.second import rest
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels.parameter_batch import Varied
@@ -82,14 +82,14 @@ def closed(guide: str, touch: str, how: Any, side: int, sense: int, inverted: bo
     if touch == "roller":
         cam["second"]["roller"] = lengths["roller"] = 0.009
 
-    def made(first: Any) -> Side:
+    def made(first: Any) -> ContactPlace:
         more = {"between": 0.1, "offset": first.follower.offset + 0.004} if "offset" in dir(first.follower) else {}
         return conjugate(first, **lengths, **more).second
 
     return data, made
 
 
-def pressing(c: Any, side: Side, t: Any, sense: int) -> tuple[Any, Any]:
+def pressing(c: Any, side: ContactPlace, t: Any, sense: int) -> tuple[Any, Any]:
     """Place and normal of the contact on some side, in the frame, from the disc's profile."""
     look = side.look(sense * c.evaluate(["motor.angle"], t)[0] + 0.4)
     at, turned = pose(c, "disc", t)
@@ -111,7 +111,7 @@ def test_reactions_are_those_of_the_contact_that_bears(kind: int) -> None:
     c, t = compiled_from(data), np.linspace(0.03, 0.87, 12)
     first = disc(c, "rider")
     push = 3.0 + 1j * (-20 + 300 * np.sin(2 * c.evaluate(["motor.angle"], t)[0]))
-    one = newton_euler(c, data, t, pressing(c, Side(first), t, sense), push)
+    one = newton_euler(c, data, t, pressing(c, ContactPlace(first), t, sense), push)
     two = newton_euler(c, data, t, pressing(c, other(first), t, sense), push)
     assert (one[0] * two[0] < 0).all()
     assert 2 <= (two[0] > 0).sum() <= 10
@@ -134,7 +134,7 @@ def test_both_contacts_bear_as_the_balance_along_the_lift_says(guide: str, touch
     c = compiled_from(data)
     first = disc(c, "rider")
     inertia = 2e-3 + 1.1 * abs(0.04 - 0.01j - OWN) ** 2 if guide == "swinging" else 1.1
-    found = forces(first, Loads(inertia), 7.0, steps=24, second=other(first))
+    found = forces(first, FollowerLoads(inertia), 7.0, steps=24, second=other(first))
     force = c.evaluate(["rider.force"], np.mod(found.theta - 0.7, 2 * np.pi) / 7.0)[0]
     close = 1e-9 * np.abs(force).max()
     assert np.maximum(force, 0.0) == pytest.approx(found.contact, abs=close)

@@ -13,7 +13,7 @@ import numpy as np
 from pydantic import BeforeValidator, Field
 
 from linkwright.elements.entries import ForceEntry
-from linkwright.elements.force import Asked, Between, Break, Chart, ForceKind, Misfit, Use, register
+from linkwright.elements.force import AskedTable, Between, Break, ForceKind, Misfit, SignalChart, Use, register
 from linkwright.elements.points import homes
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Name
@@ -50,7 +50,7 @@ class BumpStop(ForceKind[BumpStopEntry]):
     stores = True
     order = 0
     orders = {"closing": 1, "power": 1}
-    charts = (Chart("stop_push", "force", "push"),)
+    charts = (SignalChart("stop_push", "force", "push"),)
     words = {
         "en": {
             "term.kind-bump_stop": "bump stop",
@@ -68,8 +68,8 @@ class BumpStop(ForceKind[BumpStopEntry]):
     def uses(self, mechanism: Any, entry: Any) -> Iterator[Use]:
         yield Use("table", Expression(f"{entry.table}(1 m)"), u.FORCE, Scope.TIME)
 
-    def asked(self, name: str, entry: Any) -> tuple[Asked, ...]:
-        return tuple(Asked(entry.table, Signal(f"{name}.distance"), integral) for integral in (False, True))
+    def asked(self, name: str, entry: Any) -> tuple[AskedTable, ...]:
+        return tuple(AskedTable(entry.table, Signal(f"{name}.distance"), integral) for integral in (False, True))
 
     def breaks(self, name: str, entry: Any, bind: Any) -> Iterator[Break]:
         yield Break(Binary("-", Signal(f"{name}.distance"), bind(entry.gap, u.LENGTH)), jumps=True)

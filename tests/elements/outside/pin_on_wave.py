@@ -14,7 +14,7 @@ import numpy as np
 from pydantic import BeforeValidator, Field
 
 from linkwright.elements import Inner, JointKind, register
-from linkwright.elements.clearance import OnFlank, Stated
+from linkwright.elements.clearance import OnFlank, StatedClearance
 from linkwright.elements.entries import JointEntry
 from linkwright.elements.joint import Miss, Rate
 from linkwright.expressions import units as u
@@ -82,7 +82,7 @@ class PinOnWave(JointKind):
         height, per = geometry.number(entry.height, u.LENGTH), 2 * math.pi / geometry.number(entry.length, u.LENGTH)
         return OnWave(geometry.point(a, entry.pin), base, heading, height, per, geometry.play(joint, "across"))
 
-    def play(self, geometry: Any, joint: str, links: Sequence[str], stated: Stated) -> list[OnFlank]:
+    def play(self, geometry: Any, joint: str, links: Sequence[str], stated: StatedClearance) -> list[OnFlank]:
         # The signal is the wave's force on the pin along the normal: the pin acts with the opposite, and rests below.
         return [OnFlank(joint, (links[1], links[0]), stated.clearance, f"{joint}.force", -1, -1)]
 

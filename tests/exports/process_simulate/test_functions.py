@@ -84,7 +84,7 @@ def test_random_six_bars_of_all_dyads_agree(seed: int, elsewhere: bool) -> None:
         plain = driven_elsewhere(plain, Seeded(seed + 999))
         plain = sketched(plain, [link for link in plain.links if link != "frame"])
     compiled = compiled_from(document_of(plain))
-    assert not compiled.structure.clusters
+    assert not compiled.structure.higher_groups
     far = max(1e-8, 1e-8 * compiled.assembly.size())
     for dialect in DIALECTS:
         assert own_error(compiled, made(compiled, dialect=dialect)) < far

@@ -8,7 +8,7 @@ import numpy as np
 from pydantic import Field
 
 from linkwright.expressions.fields import Expression
-from linkwright.reductions import SIGNAL, Found, InRun, Measure, MeasureKind, register
+from linkwright.reductions import SIGNAL, FoundFigure, InRun, Measure, MeasureKind, register
 
 
 class MedianEntry(Measure):
@@ -24,6 +24,6 @@ class Median(MeasureKind):
 
     entry = MedianEntry
 
-    def found(self, run: InRun) -> tuple[Found, ...]:
+    def found(self, run: InRun) -> tuple[FoundFigure, ...]:
         times = [np.linspace(a, b, 1 + int(4e4 * (b - a) / run.length)) for a, b in run.intervals]
         return (run.found("", float(np.median(run.values(np.concatenate(times))))),)

@@ -14,7 +14,7 @@ from linkwright.reductions import (
     SIGNAL,
     Derivative,
     Figures,
-    Found,
+    FoundFigure,
     InRun,
     InSamples,
     Measure,
@@ -40,7 +40,7 @@ class Peaky(MeasureKind):
     power = 2
     differentiable = True
 
-    def found(self, run: InRun) -> tuple[Found, ...]:
+    def found(self, run: InRun) -> tuple[FoundFigure, ...]:
         return (run.found("", (run.top().value - run.bottom().value) / np.sqrt(run.mean(2))),)
 
     def needs(self, measure: Any) -> Sequence[tuple[str, float]]:

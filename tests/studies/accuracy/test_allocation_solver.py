@@ -11,18 +11,18 @@ import pytest
 
 from linkwright.studies.accuracy.allocation_problem import Demand, Item, Problem
 from linkwright.studies.accuracy.allocation_solver import allocate
-from linkwright.studies.accuracy.costs import Law, Processes, Reciprocal, ReciprocalSquared
+from linkwright.studies.accuracy.costs import CostLaw, Processes, Reciprocal, ReciprocalSquared
 
 MM = 1e-3
 B = (2.0, 1.0, 3.0)
 C = np.array([[0.8, -1.3, 0.4]])
 
 
-def reciprocal(b: float) -> Law:
+def reciprocal(b: float) -> CostLaw:
     return Reciprocal(reciprocal=b).law(MM, lambda grade: None)
 
 
-def items(laws: Sequence[Law | None], choices: Any = (), low: float = 1e-6, high: float = 1e-3) -> list[Item]:
+def items(laws: Sequence[CostLaw | None], choices: Any = (), low: float = 1e-6, high: float = 1e-3) -> list[Item]:
     return [Item(f"p{i}", 5e-5, 1 / 3, law, low, high, choices) for i, law in enumerate(laws)]
 
 

@@ -10,7 +10,7 @@ import pytest
 
 from helpers.shown import tables
 from linkwright.app.job import summary_text
-from linkwright.studies.accuracy.allocation_outcome import Allocation, Allotted, Held, Optimality
+from linkwright.studies.accuracy.allocation_outcome import AllocatedTarget, Allocation, Allotted, Optimality
 from linkwright.studies.accuracy.calibration_outcome import Calibration, Confounded, Estimate, Observed
 from linkwright.studies.accuracy.design_report import (
     allocation_entry,
@@ -28,7 +28,9 @@ def allocation(**more: Any) -> Allocation:
         Allotted("AD", "mm", MM, 20e-6, 20e-6, fixed=True),
     )
     row = np.ones((1, 2))
-    target = Held("swing", "deg", DEG, "rss", 0.06 * DEG, 0.08 * DEG, 0.06 * DEG, 0.058 * DEG, 3 / DEG, row, 0)
+    target = AllocatedTarget(
+        "swing", "deg", DEG, "rss", 0.06 * DEG, 0.08 * DEG, 0.06 * DEG, 0.058 * DEG, 3 / DEG, row, 0
+    )
     given: dict[str, Any] = {
         "costs": (0.1, 0.25, 0.26),
         "bound": 0.255,

@@ -14,8 +14,8 @@ from scipy import stats
 import linkwright as lw
 from linkwright.blocks import RUNNERS, UNIT
 from linkwright.results import Run
-from linkwright.studies import Interrupted, Site, sampling_state
-from linkwright.studies.accuracy.monte_carlo import Random, check_monte_carlo, monte_carlo
+from linkwright.studies import Interrupted, RunContext, sampling_state
+from linkwright.studies.accuracy.monte_carlo import SampleStatistics, check_monte_carlo, monte_carlo
 from linkwright.studies.cycle.options import span
 from linkwright.studies.sampling_task import SampleWork
 from studies.accuracy.by_hand import contributors, options, stated
@@ -40,11 +40,11 @@ def crank(**accuracy: Any) -> lw.Document:
 
 def performed(
     monkeypatch: pytest.MonkeyPatch, given: lw.Document, halves: Any, correlation: Any = None, **site: Any
-) -> Random:
+) -> SampleStatistics:
     compiled, asked = lw.compile(given), options(given)
     stated(monkeypatch, lambda compiled: contributors(compiled, halves, correlation))
     run = Run(compiled, 0.0, span(compiled, asked.cycle)[0], asked.steps)
-    return monte_carlo(run, asked, Site(document=given, **site))
+    return monte_carlo(run, asked, RunContext(document=given, **site))
 
 
 @pytest.mark.parametrize("plan", ["random", "latin", "sobol"])
@@ -95,7 +95,7 @@ def test_an_expression_of_deviating_parameters_follows(monkeypatch: pytest.Monke
 FIELDS = ("mean", "sigma", "least", "largest", "failed", "interval", "mean_interval", "sigma_interval")
 
 
-def same(a: Random, b: Random) -> None:
+def same(a: SampleStatistics, b: SampleStatistics) -> None:
     for name, one in a.figures.items():
         assert [getattr(one, key) for key in FIELDS] == [getattr(b.figures[name], key) for key in FIELDS]
         np.testing.assert_array_equal(one.convergence, b.figures[name].convergence)

@@ -14,9 +14,9 @@ from linkwright.expressions import units as u
 from linkwright.measures import bound
 from linkwright.results import Run
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
-from linkwright.studies.accuracy.outcome import Figure, Searched
+from linkwright.studies.accuracy.outcome import OutputDeviations, SearchedWorstCase
 from linkwright.studies.accuracy.worst_case_vertices import check_searched, evaluating, search
-from linkwright.studies.figures import Column
+from linkwright.studies.figures import FigureColumn
 from studies.accuracy.by_hand import Array, contributors
 from studies.models import four_bar
 
@@ -29,18 +29,18 @@ def box(*limits: tuple[float, float]) -> Contributors:
     return Contributors(tuple(every), np.eye(len(every)))
 
 
-def figure(of: Contributors, f: Callable[[Array], Array], name: str = "f", size: float = 1e-7) -> Figure:
+def figure(of: Contributors, f: Callable[[Array], Array], name: str = "f", size: float = 1e-7) -> OutputDeviations:
     """A figure with its linear worst case, from central differences."""
     n = len(of)
     ends = [f(sign * size * np.eye(n)) for sign in (-1, 1)]
     nominal, c = float(f(np.zeros((n, 1)))[0]), (ends[1] - ends[0]) / (2 * size)
     moved = np.stack([c * of.low, c * of.high])
     worst = float(moved.min(axis=0).sum()), float(moved.max(axis=0).sum())
-    column = Column(name, "", u.LENGTH, "m", 1.0)
-    return Figure(column, nominal, None, np.stack([c, c], axis=1), worst=worst)
+    column = FigureColumn(name, "", u.LENGTH, "m", 1.0)
+    return OutputDeviations(column, nominal, None, np.stack([c, c], axis=1), worst=worst)
 
 
-def found(of: Contributors, f: Callable[[Array], Array], share: float = 0.05) -> tuple[Searched, int]:
+def found(of: Contributors, f: Callable[[Array], Array], share: float = 0.05) -> tuple[SearchedWorstCase, int]:
     """What the search finds for one function, and of how many places."""
     batches: list[int] = []
 
@@ -125,8 +125,8 @@ def test_an_extreme_of_design_has_no_linear_width() -> None:
 
 
 def test_a_tie_has_its_least_value_at_the_nominal_place() -> None:
-    of, column = box((-1, 1), (-1, 2)), Column("f", "", u.LENGTH, "m", 1.0)
-    given = Figure(column, 0.0, None, np.array([[-3.0, 1.0], [1.0, 1.0]]), worst=(-1.0, 5.0))
+    of, column = box((-1, 1), (-1, 2)), FigureColumn("f", "", u.LENGTH, "m", 1.0)
+    given = OutputDeviations(column, 0.0, None, np.array([[-3.0, 1.0], [1.0, 1.0]]), worst=(-1.0, 5.0))
     result = search(lambda d: {"f": np.where(d[0] < 0, -3 * d[0], d[0]) + d[1]}, of, {"f": given}, 0.05)["f"]
     assert (result.low, result.high, result.off) == pytest.approx((-1, 5, 0))
     assert result.low_at.tolist() == [0, -1]

@@ -13,7 +13,7 @@ from helpers.heat_seal import findings, heat_seal, performed
 from helpers.shown import told
 from linkwright.cam.form_closure import groove
 from linkwright.cam.hertz import Material, pressure
-from linkwright.cam.loads import Loads, forces
+from linkwright.cam.loads import FollowerLoads, forces
 from linkwright.cam.springs import highest_speed, least_preload
 from linkwright.presentation.blocks import Charts
 from linkwright.results import Run
@@ -61,8 +61,8 @@ def test_a_spring_is_sized_and_does() -> None:
         FAST | {"spring": {"rate": "2 N*m/rad"}, "width": 10, "cam_material": {"modulus": "70 GPa", "poisson": 0.33}}
     )
     found, disc, omega = figures(sized), sized.disc, 300 * RPM
-    preload = least_preload(disc, Loads(INERTIA, RATE), (0.0, omega), 5.0).value
-    loads = Loads(INERTIA, RATE, preload)
+    preload = least_preload(disc, FollowerLoads(INERTIA, RATE), (0.0, omega), 5.0).value
+    loads = FollowerLoads(INERTIA, RATE, preload)
     wanted = forces(disc, loads, omega)
     highest = highest_speed(disc, loads, 5.0)
     assert highest is not None and sized.done
@@ -107,7 +107,7 @@ def test_limits_and_requirements() -> None:
 
 def test_a_groove_bears_on_both_flanks() -> None:
     outcome = study({"inertia": "0.0012 kg*m^2", "speed": "300 rpm", "width": 10}, {"closed": "groove"})
-    wanted = forces(outcome.disc, Loads(INERTIA), 300 * RPM, second=groove(outcome.disc).second)
+    wanted = forces(outcome.disc, FollowerLoads(INERTIA), 300 * RPM, second=groove(outcome.disc).second)
     assert outcome.done and outcome.pressed is not None
     found = figures(outcome)
     assert found["contact_force_min"] == pytest.approx(-wanted.contact_second.max(), rel=1e-3)

@@ -15,10 +15,10 @@ from helpers.compiled import compiled_from
 from helpers.heat_seal import findings, heat_seal
 from linkwright.app.job import examine_document
 from linkwright.cam.cams_of_mechanism import disc
-from linkwright.cam.loads import Forces, forces
+from linkwright.cam.loads import CamForces, forces
 from linkwright.model.document import parse_document
 from linkwright.results import Run
-from linkwright.studies.cam.stated_dimensions import Reader
+from linkwright.studies.cam.stated_dimensions import DimensionReader
 
 INERTIA = 1.2e-3
 SPRING = {"rate": "2 N*m/rad", "preload": "0.6 N*m"}
@@ -31,7 +31,7 @@ def loaded(load: Any, spring: dict[str, Any] | None = None, **sections: Any) -> 
     return heat_seal(forces=section) | sections
 
 
-def pressed(data: dict[str, Any], folder: Path | None = None) -> Forces:
+def pressed(data: dict[str, Any], folder: Path | None = None) -> CamForces:
     """The follower under the load that the study reads."""
     document = parse_document(data)
     assert document is not None
@@ -39,12 +39,12 @@ def pressed(data: dict[str, Any], folder: Path | None = None) -> Forces:
     assert examined.compiled is not None and not examined.findings, examined.findings
     (name,) = examined.compiled.mechanism.cams
     made = disc(examined.compiled, name)
-    asked = Reader(examined.compiled, examined.tasks[0].options, name, made).read().forces
+    asked = DimensionReader(examined.compiled, examined.tasks[0].options, name, made).read().forces
     assert asked is not None
     return forces(made, asked.loads, asked.omega)
 
 
-def values(done: Forces, *theta: float) -> Any:
+def values(done: CamForces, *theta: float) -> Any:
     """Of the load."""
     assert callable(done.loads.load)
     return done.loads.load(done.disc.look(np.array(theta))).d[0]

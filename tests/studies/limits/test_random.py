@@ -12,22 +12,22 @@ from hypothesis import assume, given, settings
 from helpers.compiled import compiled_of
 from helpers.plain import Plain, document_of
 from helpers.random_mechanisms import Seeded, build, driven_elsewhere, mechanisms, sketched
-from linkwright.graph.rows import Determinant, Reach
+from linkwright.graph.rows import Determinant, ReachRow
 from linkwright.model.document import Document
 from linkwright.structure import decompose
-from linkwright.studies.limits.outcome import Stretch
+from linkwright.studies.limits.outcome import RunLimits
 from linkwright.studies.limits.ranges import Range
 from linkwright.studies.limits.study import Limits, LimitsOptions
 
 STUDY = Limits()
 
 
-def holds(found: Range, stretch: Stretch, shares: Any) -> None:
+def holds(found: Range, stretch: RunLimits, shares: Any) -> None:
     """Every figure of a range bounds what is seen at some shares of it."""
     run, groups = found.sweep, found.sweep.compiled.structure.groups
     pole = "pole" in (found.low.kind, found.high.kind)  # what hangs on a slide that runs away has few digits left
     t = run.place(shares * 0.99 + 0.005 if pole else shares)[0]
-    rows = [row(group.label) for row in (Reach, Determinant) for group in groups]
+    rows = [row(group.label) for row in (ReachRow, Determinant) for group in groups]
     if rows:
         values = run.compiled.evaluate(rows, t)
         assert np.isfinite(values).all()
@@ -54,8 +54,8 @@ def ends(found: Range) -> None:
     run, past = found.sweep, 1e-6 * (found.sweep.stop - found.sweep.start)
     for end, time in ((found.low, run.start - past), (found.high, run.stop + past)):
         if end.kind == "group":
-            assert run.compiled.evaluate([Reach(end.group)], np.array([time]))[0, 0] < 0
-            assert abs(run.compiled.evaluate([Reach(end.group)], np.array([end.value - run.origin]))[0, 0]) < 1e-12
+            assert run.compiled.evaluate([ReachRow(end.group)], np.array([time]))[0, 0] < 0
+            assert abs(run.compiled.evaluate([ReachRow(end.group)], np.array([end.value - run.origin]))[0, 0]) < 1e-12
 
 
 @settings(max_examples=20, deadline=None)

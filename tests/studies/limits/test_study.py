@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 
 import linkwright as lw
 from linkwright.graph.rows import Determinant
-from linkwright.studies.limits.extremes import Course
-from linkwright.studies.limits.outcome import LimitsOutcome, Stretch
+from linkwright.studies.limits.extremes import SignalCourse
+from linkwright.studies.limits.outcome import LimitsOutcome, RunLimits
 from linkwright.studies.limits.ranges import Range
 from studies.models import UNITS, codes, four_bar, job_of, refused, slider_crank
 
@@ -34,14 +34,14 @@ def example(name: str, **options: Any) -> LimitsOutcome:
     return limits_of(document.model_dump(by_alias=True, exclude_none=True), **options)
 
 
-def only(outcome: LimitsOutcome, drive: str | None = None) -> tuple[Range, Stretch]:
+def only(outcome: LimitsOutcome, drive: str | None = None) -> tuple[Range, RunLimits]:
     """The one range of the one drive, or of the named one."""
     (found,) = [d for d in outcome.drives if drive in (None, d.drive)]
     (pair,) = found.ranges
     return pair
 
 
-def course(stretch: Stretch, name: str) -> Course:
+def course(stretch: RunLimits, name: str) -> SignalCourse:
     return next(c for c in stretch.courses if c.signal == name)
 
 
@@ -368,7 +368,7 @@ P, B, Q = (np.array(place) / 1000 for place in ((55, 40), (60, 120), (180, 90)))
 """Pins of examples/crank_cylinder.yaml: those of the cylinder, and that of its two links."""
 
 
-def test_the_ends_of_a_clusters_path_both_ways() -> None:
+def test_the_ends_of_a_higher_groups_path_both_ways() -> None:
     """Cylinder between crank and coupler: its pins in line with theirs, which dyads could not tell."""
     found, _ = only(example("crank_cylinder"))
     bp, bq = np.hypot(*(P - B)), np.hypot(*(Q - B))
@@ -378,7 +378,7 @@ def test_the_ends_of_a_clusters_path_both_ways() -> None:
     assert found.low.value > bq - bp
 
 
-def test_a_sweep_of_a_cluster_meets_the_law_of_cosines_all_over() -> None:
+def test_a_sweep_of_a_higher_group_meets_the_law_of_cosines_all_over() -> None:
     found, _ = only(example("crank_cylinder"))
     t = np.linspace(found.sweep.start, found.sweep.stop, 41)[1:-1]
     crank, coupler = found.sweep.evaluate(["crank.angle", "coupler.angle"], t)

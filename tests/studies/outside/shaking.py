@@ -18,11 +18,11 @@ from linkwright.findings import Finding, Said
 from linkwright.kernels import Compiled
 from linkwright.model.csv_text import cell, head, written
 from linkwright.presentation.blocks import Chart, Charts, FileOf, Section, Sentences, StudyReport, Table
-from linkwright.presentation.cells import Number
+from linkwright.presentation.cells import NumberCell
 from linkwright.results import Result, Run
 from linkwright.studies.numbers import constant
 from linkwright.studies.registry import Command, Setting, Study, register
-from linkwright.studies.run_context import Site
+from linkwright.studies.run_context import RunContext
 
 PATH = ("studies", "shaking")
 
@@ -78,7 +78,7 @@ class Shaking(Study):
         """What is wrong with the time."""
         return constant(compiled.quantities, options.over, u.TIME, (*PATH, "over"))[1]
 
-    def run(self, compiled: Compiled, options: ShakingOptions, site: Site) -> ShakingOutcome:
+    def run(self, compiled: Compiled, options: ShakingOptions, site: RunContext) -> ShakingOutcome:
         """Compute the force."""
         stop = compiled.quantities.value(options.over, u.TIME)
         run = Run(compiled, 0.0, stop, options.samples)
@@ -95,7 +95,7 @@ class Shaking(Study):
         sizes = np.abs(np.fft.fft(x[:-1] + 1j * y[:-1]))[:4] / (x.size - 1)
         told = Said("shaking.sentence", force=f"{largest:.6g}", unit=unit, kernel=outcome.kernel)
         heads = [Said("shaking.order"), Said("shaking.size", unit=unit)]
-        rows = [[str(k), Number(float(value), 6)] for k, value in enumerate(sizes)]
+        rows = [[str(k), NumberCell(float(value), 6)] for k, value in enumerate(sizes)]
         title = Said("shaking.chart")
         blocks = [
             Sentences([told]),

@@ -12,7 +12,7 @@ import pytest
 import linkwright as lw
 from linkwright.app.job import examine_document, perform
 from linkwright.blocks import UNIT
-from linkwright.studies import Interrupted, Site, SweepOutcome, sampling_state
+from linkwright.studies import Interrupted, RunContext, SweepOutcome, sampling_state
 from studies.models import CRANK, four_bar, slider_crank
 
 STEPS = {"from": 45, "to": 55, "count": 5}
@@ -203,7 +203,7 @@ def performed(
             pressed.append(done)
             signal.raise_signal(signal.SIGINT)  # Ctrl-C
 
-    job = perform(examined, Site(out=out, progress=progress))
+    job = perform(examined, RunContext(out=out, progress=progress))
     assert job.sweep is not None
     if settle:
         job.sweep.settle()

@@ -13,10 +13,10 @@ from helpers.compiled import compiled_from
 from helpers.reach.mechanisms import Mechanism
 from linkwright.studies.workspace.cells import Cells, Decided, decided, joined
 from linkwright.studies.workspace.curves import Segments
-from linkwright.studies.workspace.mesh import Box
-from linkwright.studies.workspace.places import Places, Poses
+from linkwright.studies.workspace.mesh import DriveBox
+from linkwright.studies.workspace.places import KnownPoses, ModePlaces
 from linkwright.studies.workspace.region_enclosure import _square, enclosed
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.sheet import ModeSheet
 
 Array = NDArray[np.float64]
 Depth = Callable[[Array], Array]
@@ -67,7 +67,7 @@ def coarser(cells: Cells, left: float) -> Cells:
     return joined([large, small.some(~covered)])
 
 
-def box_of(mechanism: Mechanism) -> Box:
+def box_of(mechanism: Mechanism) -> DriveBox:
     """The ranges of its drives (SI), whole turns begun askew."""
     (low, high), (down, up) = mechanism.spans
     turns = [bool(one) for one in _turning(mechanism)]
@@ -75,7 +75,7 @@ def box_of(mechanism: Mechanism) -> Box:
     whole = [
         turn and span[1] - span[0] >= 2 * np.pi * (1 - 1e-12) for turn, span in zip(turns, mechanism.spans, strict=True)
     ]
-    return Box((low * sizes[0], down * sizes[1]), (high * sizes[0], up * sizes[1]), (whole[0], whole[1])).askew()
+    return DriveBox((low * sizes[0], down * sizes[1]), (high * sizes[0], up * sizes[1]), (whole[0], whole[1])).askew()
 
 
 def _turning(mechanism: Mechanism) -> list[bool]:
@@ -90,17 +90,17 @@ def document(mechanism: Mechanism) -> dict[str, Any]:
     return mechanism.document(q[:, np.isfinite(mechanism.placed(q, 0).real)][:, 0])
 
 
-def places_of(mechanism: Mechanism, mode: int) -> Places:
+def places_of(mechanism: Mechanism, mode: int) -> ModePlaces:
     """The places that a mode (left, right) reaches."""
     compiled = compiled_from(document(mechanism))
     first, second = compiled.graph.drives
     branches = (1.0 - 2.0 * mode,) * len(compiled.graph.branched)
-    poses = Poses.of(compiled, "P")
+    poses = KnownPoses.of(compiled, "P")
     assert poses is not None
-    return Places(poses, Sheet(compiled, "P", (first, second), branches), box_of(mechanism))
+    return ModePlaces(poses, ModeSheet(compiled, "P", (first, second), branches), box_of(mechanism))
 
 
-def decided_of(places: Places) -> Decided:
+def decided_of(places: ModePlaces) -> Decided:
     """Its cells."""
     square = _square(places)
     assert square is not None
@@ -111,7 +111,7 @@ def decided_of(places: Places) -> Decided:
 class Drawn:
     """A mechanism's first mode with its region and its curves."""
 
-    places: Places
+    places: ModePlaces
     shape: Any
     segments: list[Segments]
 

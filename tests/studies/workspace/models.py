@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from helpers.compiled import compiled_from
 from helpers.examples import UNITS
 from linkwright.kernels import Compiled
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.sheet import ModeSheet
 
 Array = NDArray[np.float64]
 Points = NDArray[np.complex128]
@@ -148,13 +148,13 @@ class ArmOnCoupler:
         }
         return compiled_from(data)
 
-    def sheet(self, side: float) -> Sheet:
+    def sheet(self, side: float) -> ModeSheet:
         """The sheet of the mode in which the coupler is on one side."""
         model = self.compiled()
         q = np.stack([np.linspace(0, 6.2, 60), np.full(60, 0.3)])
         true = self.placed(q, side)
         for sign in (1.0, -1.0):
-            sheet = Sheet(model, "P", ("motor", "servo"), (sign,))
+            sheet = ModeSheet(model, "P", ("motor", "servo"), (sign,))
             at = sheet.place(q)[0]
             if np.nanmax(np.abs(at[0] + 1j * at[1] - true)) < 1e-9:
                 return sheet

@@ -24,16 +24,16 @@ from linkwright.studies.workspace.causes import Causes
 from linkwright.studies.workspace.curves import curves
 from linkwright.studies.workspace.errors import Errors
 from linkwright.studies.workspace.guaranteed import edges, guaranteed, moved
-from linkwright.studies.workspace.mesh import Box, mesh
+from linkwright.studies.workspace.mesh import DriveBox, mesh
 from linkwright.studies.workspace.region_search import reached
 from linkwright.studies.workspace.regions import Region
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.sheet import ModeSheet
 from linkwright.studies.workspace.solving import reaches
 
 Array = NDArray[np.float64]
 TURN = np.linspace(0, 2 * np.pi, 72, endpoint=False)
 ROUND = np.stack([np.cos(TURN), np.sin(TURN)])
-BOX = Box((0.3, 0.2), (2.5, 2.9))
+BOX = DriveBox((0.3, 0.2), (2.5, 2.9))
 
 PINS = {"O1": ("ox", "oy"), "B": ("bx", "by"), "C": ("cx", "cy"), "D": ("dx", "dy")}
 """The pins of the five-bar with the parameters that displace the place of one of its links there."""
@@ -69,9 +69,9 @@ def shifted(compiled: Compiled, **shifts: float) -> Array:
     return compiled.parameters + [shifts.get(name, 0.0) for name in compiled.graph.parameters]
 
 
-def sheet_of(compiled: Compiled, parameters: Array | None = None, point: str = "P") -> Sheet:
+def sheet_of(compiled: Compiled, parameters: Array | None = None, point: str = "P") -> ModeSheet:
     drives = compiled.graph.drives
-    return Sheet(compiled, point, (drives[0], drives[1]), (1.0,) * len(compiled.graph.branched), parameters)
+    return ModeSheet(compiled, point, (drives[0], drives[1]), (1.0,) * len(compiled.graph.branched), parameters)
 
 
 def deviating(compiled: Compiled, names: Any, within: float) -> Contributors:
@@ -258,7 +258,7 @@ def test_guides_and_pins_of_two_cylinders(point: str) -> None:
             assert every[:, k].max() == pytest.approx(found[f"error {axis} most"][i], rel=2e-3)
 
 
-def region_of(sheet: Sheet, steps: int, chord: float) -> Region:
+def region_of(sheet: ModeSheet, steps: int, chord: float) -> Region:
     made = mesh(sheet, BOX, steps)
     segments = curves(sheet, made, chord)
     return Region(sheet, BOX, reached(sheet, BOX, made, segments, chord)[0], tuple(segments), made, steps, 0.0)

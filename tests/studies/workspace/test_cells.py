@@ -12,7 +12,7 @@ from linkwright.studies.workspace import cells as module
 from linkwright.studies.workspace.cells import (
     Cells,
     Decided,
-    Straight,
+    LinearForms,
     among,
     cut_on,
     cut_sides,
@@ -20,7 +20,7 @@ from linkwright.studies.workspace.cells import (
     key,
     known_corners,
 )
-from linkwright.studies.workspace.places import Places
+from linkwright.studies.workspace.places import ModePlaces
 from studies.workspace.made_up import MM, decided_of, places_of
 from studies.workspace.test_regions import lens
 
@@ -36,7 +36,7 @@ MECHANISMS: dict[str, Mechanism] = {
 
 
 @pytest.fixture(scope="module", params=MECHANISMS)
-def case(request: pytest.FixtureRequest) -> tuple[Mechanism, Places, Decided]:
+def case(request: pytest.FixtureRequest) -> tuple[Mechanism, ModePlaces, Decided]:
     mechanism = MECHANISMS[request.param]
     places = places_of(mechanism, 0)
     return mechanism, places, decided_of(places)
@@ -51,7 +51,7 @@ def inside(cells: Cells, count: int) -> Array:
     return np.asarray(cells.low[:, some] + shares * cells.size[some])
 
 
-def test_all_of_a_decided_cell_is_reached_or_none(case: tuple[Mechanism, Places, Decided]) -> None:
+def test_all_of_a_decided_cell_is_reached_or_none(case: tuple[Mechanism, ModePlaces, Decided]) -> None:
     mechanism, _, decided = case
     for cells, expected in ((decided.reached, 1), (decided.never, 0)):
         at = inside(cells, 20_000)
@@ -60,7 +60,7 @@ def test_all_of_a_decided_cell_is_reached_or_none(case: tuple[Mechanism, Places,
         assert (bits & 1 == expected).all()
 
 
-def test_cells_cover_the_square_once(case: tuple[Mechanism, Places, Decided]) -> None:
+def test_cells_cover_the_square_once(case: tuple[Mechanism, ModePlaces, Decided]) -> None:
     _, _, decided = case
     every = joined([decided.reached, decided.never, decided.open])
     assert (every.size**2).sum() == pytest.approx(every.side**2, rel=1e-12)
@@ -69,7 +69,7 @@ def test_cells_cover_the_square_once(case: tuple[Mechanism, Places, Decided]) ->
     assert (within.sum(axis=1) == 1).all()
 
 
-def test_shares_of_open_cells_lie_between_their_bounds(case: tuple[Mechanism, Places, Decided]) -> None:
+def test_shares_of_open_cells_lie_between_their_bounds(case: tuple[Mechanism, ModePlaces, Decided]) -> None:
     mechanism, _, decided = case
     cells, some = decided.open, np.random.default_rng(2).integers(0, decided.open.level.size, 30)
     axis = (np.arange(64) + 0.5) / 64
@@ -83,7 +83,7 @@ def test_shares_of_open_cells_lie_between_their_bounds(case: tuple[Mechanism, Pl
     assert (decided.least <= decided.most).all()
 
 
-def test_the_edge_lies_in_the_cells_in_which_it_is_traced(case: tuple[Mechanism, Places, Decided]) -> None:
+def test_the_edge_lies_in_the_cells_in_which_it_is_traced(case: tuple[Mechanism, ModePlaces, Decided]) -> None:
     """Between two places, one of which is reached, there is an edge: bisected, it lies in such a cell."""
     _, places, decided = case
     random = np.random.default_rng(3)
@@ -198,7 +198,7 @@ def test_sides_are_cut_at_their_neighbours_corners() -> None:
 
 def test_lines_in_cells_are_told_by_straight_forms() -> None:
     """One pose of cell 0 needs u > 0 within 0.1, one of cell 1 u > -3."""
-    forms = Straight(
+    forms = LinearForms(
         np.array([0, 1]), np.array([[0.0, 3.0]]), np.array([[0.1, 0.1]]), np.array([[[1.0, 1.0]], [[0.0, 0.0]]])
     )
     start = np.array([[0.5, -1.0, -0.5, -1.0, 0.0], [0.0, 0.0, -1.0, -1.0, 0.0]])

@@ -15,8 +15,8 @@ from helpers.reach import Guide, TwoCylinders
 from helpers.reach.circles import TURN
 from linkwright.studies.workspace.border import border, polygons
 from linkwright.studies.workspace.cells import Decided
-from linkwright.studies.workspace.certificate import ENCLOSED, SEARCHED, Certificate, Fault, certified
-from linkwright.studies.workspace.places import Places
+from linkwright.studies.workspace.certificate import ENCLOSED, SEARCHED, Contradiction, RegionCertificate, certified
+from linkwright.studies.workspace.places import ModePlaces
 from studies.workspace.made_up import MM, decided_of, places_of
 
 Array = NDArray[np.float64]
@@ -27,12 +27,12 @@ RING = Guide(0.0, 0j, None, (20.0, 60.0))
 class Known:
     """What a mechanism reaches, drawn."""
 
-    def __init__(self, places: Places) -> None:
+    def __init__(self, places: ModePlaces) -> None:
         self.places, self.decided = places, decided_of(places)
         a, b, _ = border(places.depth, self.decided.edge, CHORD)
         self.shape = polygons(places.depth, a, b, CHORD)
 
-    def told(self, shape: Any, decided: Decided | None = None, places: Places | None = None) -> Certificate:
+    def told(self, shape: Any, decided: Decided | None = None, places: ModePlaces | None = None) -> RegionCertificate:
         return certified(places or self.places, decided or self.decided, shape, CHORD)
 
     def kinds(self, shape: Any) -> set[str]:
@@ -134,7 +134,7 @@ def test_much_that_is_open(ring: Known) -> None:
 
 
 def test_poses_that_do_not_lead_back(ring: Known) -> None:
-    class Wrong(Places):
+    class Wrong(ModePlaces):
         """Its inverse is off by a thousandth of a radian."""
 
         def drives(self, at: Array) -> tuple[Array, Array]:
@@ -149,10 +149,10 @@ def test_poses_that_do_not_lead_back(ring: Known) -> None:
 
 
 def test_only_what_is_enclosed_without_fault_is_certified() -> None:
-    fault = Fault("edge", 1.0, (0.0, 0.0))
-    assert Certificate(ENCLOSED, (1.0, 2.0)).certified
-    assert not Certificate(ENCLOSED, (1.0, 2.0), faults=(fault,)).certified
-    assert not Certificate(SEARCHED).certified and Certificate(SEARCHED).open is None
+    fault = Contradiction("edge", 1.0, (0.0, 0.0))
+    assert RegionCertificate(ENCLOSED, (1.0, 2.0)).certified
+    assert not RegionCertificate(ENCLOSED, (1.0, 2.0), faults=(fault,)).certified
+    assert not RegionCertificate(SEARCHED).certified and RegionCertificate(SEARCHED).open is None
 
 
 def sector(angles: tuple[float, float], radii: tuple[float, float]) -> Any:

@@ -7,7 +7,7 @@ import re
 import pytest
 
 from helpers.compiled import compiled_from
-from linkwright.studies.workspace.certificate import SEARCHED, Certificate, Fault
+from linkwright.studies.workspace.certificate import SEARCHED, Contradiction, RegionCertificate
 from linkwright.studies.workspace.doubts import doubts, sized
 from studies.workspace.made_up import document
 from studies.workspace.test_places import FIVE_BAR
@@ -33,7 +33,7 @@ SIZES = {  # m2, m, shares, numbers: as they are told in mm
 def test_each_kind_of_fault_is_told(kind: str) -> None:
     size, told = SIZES[kind]
     compiled = compiled_from(document(FIVE_BAR))
-    certificate = Certificate(SEARCHED, faults=(Fault(kind, size, (0.0125, -0.003)),))
+    certificate = RegionCertificate(SEARCHED, faults=(Contradiction(kind, size, (0.0125, -0.003)),))
     (finding,) = doubts(compiled, ("studies", "workspace"), "C: left of B-D", certificate)
     assert finding.code == f"workspace.doubt-{kind}"
     assert finding.path == ("studies", "workspace")
@@ -48,17 +48,17 @@ def test_each_kind_of_fault_is_told(kind: str) -> None:
 
 def test_a_mechanism_of_one_mode_has_a_dash_for_it_and_a_finding_for_each_fault() -> None:
     compiled = compiled_from(document(FIVE_BAR))
-    faults = (Fault("edge", 2.0, (0.0, 0.0)), Fault("open", 1e-6, (0.001, 0.0)))
-    found = [*doubts(compiled, (), "", Certificate(SEARCHED, faults=faults))]
+    faults = (Contradiction("edge", 2.0, (0.0, 0.0)), Contradiction("open", 1e-6, (0.001, 0.0)))
+    found = [*doubts(compiled, (), "", RegionCertificate(SEARCHED, faults=faults))]
     assert [one.code for one in found] == ["workspace.doubt-edge", "workspace.doubt-open"]
     assert all(one.data["mode"] == "-" for one in found)
 
 
 def test_what_has_no_fault_has_no_finding() -> None:
-    assert not [*doubts(compiled_from(document(FIVE_BAR)), (), "", Certificate(SEARCHED))]
+    assert not [*doubts(compiled_from(document(FIVE_BAR)), (), "", RegionCertificate(SEARCHED))]
 
 
 def test_sizes_are_in_the_units_of_the_file() -> None:
-    assert sized(Fault("area", 2.5e-6, (0.0, 0.0)), 1e-3) == pytest.approx(2.5)
-    assert sized(Fault("cut", 2.5e-3, (0.0, 0.0)), 1e-3) == pytest.approx(2.5)
-    assert sized(Fault("back", 0.25, (0.0, 0.0)), 1e-3) == 0.25
+    assert sized(Contradiction("area", 2.5e-6, (0.0, 0.0)), 1e-3) == pytest.approx(2.5)
+    assert sized(Contradiction("cut", 2.5e-3, (0.0, 0.0)), 1e-3) == pytest.approx(2.5)
+    assert sized(Contradiction("back", 0.25, (0.0, 0.0)), 1e-3) == 0.25

@@ -25,14 +25,14 @@ from linkwright.studies.workspace.curves import curves
 from linkwright.studies.workspace.errors import Errors, errors
 from linkwright.studies.workspace.farthest import farthest
 from linkwright.studies.workspace.guaranteed import edges, guaranteed, moved
-from linkwright.studies.workspace.mesh import Box, mesh
+from linkwright.studies.workspace.mesh import DriveBox, mesh
 from linkwright.studies.workspace.region_search import reached
 from linkwright.studies.workspace.regions import Region
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.sheet import ModeSheet
 from linkwright.studies.workspace.solving import reaches
 
 EXAMPLE = Path(__file__).parents[3] / "examples" / "five_bar_workspace.yaml"
-TURNS = Box((0.0, 0.0), (2 * np.pi, 2 * np.pi), (True, True))
+TURNS = DriveBox((0.0, 0.0), (2 * np.pi, 2 * np.pi), (True, True))
 LENGTHS = {"a": 1.0, "b": 1.2, "c": 1.1, "d": 1.0, "e": 1.0}
 
 
@@ -58,8 +58,8 @@ def five_bar(**lengths: float) -> Compiled:
     return compiled_from(data)
 
 
-def sheet_of(compiled: Compiled, point: str = "P", deviations: np.ndarray | float = 0.0) -> Sheet:
-    return Sheet(compiled, point, ("motor", "servo"), (1.0,), compiled.parameters + deviations)
+def sheet_of(compiled: Compiled, point: str = "P", deviations: np.ndarray | float = 0.0) -> ModeSheet:
+    return ModeSheet(compiled, point, ("motor", "servo"), (1.0,), compiled.parameters + deviations)
 
 
 def deviating(compiled: Compiled, names: str, within: float) -> Contributors:
@@ -72,7 +72,7 @@ def deviating(compiled: Compiled, names: str, within: float) -> Contributors:
     return Contributors(tuple(every), np.eye(len(every)))
 
 
-def region_of(sheet: Sheet, box: Box, steps: int, chord: float) -> Region:
+def region_of(sheet: ModeSheet, box: DriveBox, steps: int, chord: float) -> Region:
     """A region on one mesh, for mechanisms whose outer pins never meet."""
     made = mesh(sheet, box, steps)
     segments = curves(sheet, made, chord)
@@ -150,7 +150,7 @@ def test_rim_moves_as_the_coupler_curve_does() -> None:
 def test_singular_curve_moves_as_the_stretched_leg_does() -> None:
     """Crank 1 and P's arm of the coupler in line: a circle about O1, which widens by what the crank does."""
     compiled = five_bar()
-    box = Box((0.3, 0.2), (2.5, 2.9))
+    box = DriveBox((0.3, 0.2), (2.5, 2.9))
     region = region_of(sheet_of(compiled), box, 20, 1e-3)
     found = Errors(region.sheet, Causes(deviating(compiled, "abe", 1e-3)), 10)
     (one,) = [edge for edge in edges(region, found) if edge.kind == "singular"]
@@ -184,7 +184,7 @@ def test_where_pins_meet_the_boundary_follows_them() -> None:
 def test_all_mechanisms_within_tolerances_reach_the_guaranteed_part() -> None:
     """Those at the corners of the tolerances reach its border but for terms of second order; most places that are a
     little farther out some of them don't reach."""
-    compiled, box, within = five_bar(), Box((0.3, 0.2), (2.5, 2.9)), 2e-3
+    compiled, box, within = five_bar(), DriveBox((0.3, 0.2), (2.5, 2.9)), 2e-3
     who = deviating(compiled, "be", within)
     region = region_of(sheet_of(compiled), box, 20, 1e-4)
     made = guaranteed(region, Causes(who))
@@ -209,7 +209,7 @@ def test_all_mechanisms_within_tolerances_reach_the_guaranteed_part() -> None:
 
 def test_where_the_point_is_precise() -> None:
     compiled = five_bar()
-    box, who = Box((0.3, 0.2), (2.5, 2.9)), deviating(compiled, "abcde", 1e-3)
+    box, who = DriveBox((0.3, 0.2), (2.5, 2.9)), deviating(compiled, "abcde", 1e-3)
     region = region_of(sheet_of(compiled), box, 20, 1e-4)
     made = guaranteed(region, Causes(who), limit=3e-3, steps=100)
     assert 0.05 < made.precise.area / made.shape.area < 0.95

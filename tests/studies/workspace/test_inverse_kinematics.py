@@ -18,11 +18,11 @@ from linkwright.findings import ModelError
 from linkwright.kernels import Compiled
 from linkwright.model.document import load
 from linkwright.studies.workspace.inverse_kinematics import Way, _turned, free, timed
-from linkwright.studies.workspace.mesh import Box, mesh
-from linkwright.studies.workspace.path_continuation import Mover, Track
+from linkwright.studies.workspace.mesh import DriveBox, mesh
+from linkwright.studies.workspace.path_continuation import SheetWithRates, SolutionTrack
 from linkwright.studies.workspace.regions import Region
-from linkwright.studies.workspace.sheet import Sheet
-from linkwright.studies.workspace.target_path import Wanted, from_csv, from_dxf, from_formula, through
+from linkwright.studies.workspace.sheet import ModeSheet
+from linkwright.studies.workspace.target_path import TargetPath, from_csv, from_dxf, from_formula, through
 from linkwright.studies.workspace.yaml_snippet import pasted
 
 PAPER = Path(__file__).parents[3] / "examples" / "five_bar_workspace.yaml"
@@ -59,14 +59,14 @@ def five() -> Region:
     return on(compiled, "C", rings[0] & rings[1])
 
 
-def on(compiled: Compiled, point: str, shape: Any, box: Box | None = None) -> Region:
+def on(compiled: Compiled, point: str, shape: Any, box: DriveBox | None = None) -> Region:
     branches = [compiled.assembly.branches[group] for group in compiled.graph.branched]
-    sheet = Sheet(compiled, point, ("motor", "servo"), branches)
-    box = box or Box((0.0, 0.0), (2 * np.pi, 2 * np.pi), (True, True))
+    sheet = ModeSheet(compiled, point, ("motor", "servo"), branches)
+    box = box or DriveBox((0.0, 0.0), (2 * np.pi, 2 * np.pi), (True, True))
     return Region(sheet, box, shape, (), mesh(sheet, box, 24), 24, 0.0)
 
 
-def formula(x: str, y: str) -> Wanted:
+def formula(x: str, y: str) -> TargetPath:
     return from_formula(five().sheet.compiled.quantities, x, y)
 
 
@@ -243,7 +243,7 @@ def test_a_motor_that_would_turn_back_and_a_servo_at_its_end() -> None:
     servo = whole.servo[0]
     limit = float(servo[0]) + 0.5 * float((servo - servo[0]).max())
     low = float(servo.min()) - 1.0
-    box = Box((-np.pi, low), (np.pi, limit), (True, False))
+    box = DriveBox((-np.pi, low), (np.pi, limit), (True, False))
     narrow = timed(on(five().sheet.compiled, "C", five().shape, box), formula(*CIRCLE), "motor", 1.0)
     assert codes(narrow) == ["workspace.path-limit"]
     assert narrow.stretches[0].drive == "servo"
@@ -316,7 +316,7 @@ def test_a_sliding_servo_with_gravity() -> None:
     data["drives"]["motor"]["start"] = "1 rad"
     data["drives"]["servo"] = {"slides": "block", "on": "frame", "position": "1.8 m + 0*t/(1 s)*1 m"}
     compiled = compiled_from(data)
-    region = on(compiled, "C", shapely.box(-3, -3, 3, 3), Box((0.0, 0.2), (2 * np.pi, 2.6), (True, False)))
+    region = on(compiled, "C", shapely.box(-3, -3, 3, 3), DriveBox((0.0, 0.2), (2 * np.pi, 2.6), (True, False)))
     way = free(region, formula("0.8 + 0.2*u", "0.9 - 0.1*u"), "motor", -1.5)
     law = way.law
     assert law is not None
@@ -347,5 +347,5 @@ def test_corners_are_told() -> None:
 def test_a_solution_that_ends_where_it_begins() -> None:
     """At the edge of a region, from where the path leads out of it: the motor gets nowhere."""
     wanted = through(np.array([[0.03, 0.03], [0.036, 0.036]]), "linear")
-    track = Track(Mover(five().sheet), wanted, np.zeros(1), np.zeros((3, 2, 1)), "singular")
+    track = SolutionTrack(SheetWithRates(five().sheet), wanted, np.zeros(1), np.zeros((3, 2, 1)), "singular")
     assert _turned(track, 0, 1.0) == 0.0

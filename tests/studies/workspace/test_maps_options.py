@@ -13,7 +13,7 @@ from linkwright.app.job import Job
 from linkwright.studies.workspace.coverage import covered
 from linkwright.studies.workspace.errors_outcome import ErrorsPart
 from linkwright.studies.workspace.maps_report import errors_sentences
-from linkwright.studies.workspace.quality import Task, quality
+from linkwright.studies.workspace.quality import QualityTask, quality
 from linkwright.studies.workspace.quality_outcome import QualityPart
 from linkwright.studies.workspace.raster import raster
 
@@ -95,7 +95,7 @@ def test_all_modes_and_values_as_by_direct_calls() -> None:
         (r["mode"], r["base"]) for r in job.summary["workspace"]["regions"]
     ]
     for entry, one in zip(entries, part.regions, strict=True):
-        direct = quality(one.reached.region.sheet, outcome.box, Task(force=(0.0, -5.0)), 20).maps
+        direct = quality(one.reached.region.sheet, outcome.box, QualityTask(force=(0.0, -5.0)), 20).maps
         for name in ("condition", "transmission", "effort servo"):
             found = direct.greatest(name)
             assert found is not None

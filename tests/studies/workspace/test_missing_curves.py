@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from helpers.reach import FiveBar
 from linkwright.studies.workspace.curves import Segments
 from linkwright.studies.workspace.missing_curves import missed, missed_anywhere
-from linkwright.studies.workspace.pose_counts import Paths, contradiction
+from linkwright.studies.workspace.pose_counts import DrivePaths, contradiction
 from linkwright.studies.workspace.region_enclosure import _rings, _square
 from studies.workspace.made_up import CHORD, Drawn, drawn
 
@@ -24,7 +24,7 @@ def one() -> Drawn:
 
 
 def ends(one: Drawn, segments: list[Segments]) -> Array:
-    some = Paths.of(one.places.sheet, segments)
+    some = DrivePaths.of(one.places.sheet, segments)
     return np.stack([some.a, some.b]).transpose(2, 0, 1)
 
 
@@ -57,7 +57,7 @@ def test_all_of_a_kind_are_found_again(one: Drawn, kind: str) -> None:
     assert np.median(away(ends(one, again), ends(one, gone))) < CHORD
     # Where curves touch, pieces may be taken for another kind: of others few are found though they are there.
     assert length(ends(one, found)) - length(ends(one, again)) < 0.05 * length(ends(one, kept))
-    assert contradiction(one.places, Paths.of(one.places.sheet, [*kept, *found]), CHORD) is None
+    assert contradiction(one.places, DrivePaths.of(one.places.sheet, [*kept, *found]), CHORD) is None
 
 
 def test_folds_are_where_the_jacobian_is_singular(one: Drawn) -> None:

@@ -10,7 +10,7 @@ from helpers.compiled import compiled_from
 from helpers.reach import Chain, FiveBar, Guide, TwoCylinders, TwoSlides
 from helpers.reach.circles import TURN, left, meetings
 from helpers.reach.mechanisms import Mechanism
-from linkwright.studies.workspace.places import FOLD, LIMIT, MODES, Poses
+from linkwright.studies.workspace.places import FOLD, LIMIT, MODES, KnownPoses
 from studies.workspace.made_up import MM, places_of
 from studies.workspace.models import arm, triad_turned_round
 
@@ -148,5 +148,5 @@ def test_forms_hold_the_functions_all_over_their_squares() -> None:
 
 
 def test_of_what_has_no_closed_form_there_are_no_poses() -> None:
-    assert Poses.of(compiled_from(triad_turned_round()), "P") is None
-    assert Poses.of(arm(1.0, 0.6), "P") is not None
+    assert KnownPoses.of(compiled_from(triad_turned_round()), "P") is None
+    assert KnownPoses.of(arm(1.0, 0.6), "P") is not None

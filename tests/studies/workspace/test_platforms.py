@@ -9,23 +9,23 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from linkwright.enclosures.forms import Form
+from linkwright.enclosures.forms import AffineForm
 from linkwright.studies.workspace.cells import HEAVY
-from linkwright.studies.workspace.mesh import Box
-from linkwright.studies.workspace.places import FOLD, Places, Poses
+from linkwright.studies.workspace.mesh import DriveBox
+from linkwright.studies.workspace.places import FOLD, KnownPoses, ModePlaces
 from linkwright.studies.workspace.platform import in_whole
 from linkwright.studies.workspace.region_enclosure import _square, _vague, enclosed
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.sheet import ModeSheet
 from studies.workspace.models import LEGS, ArmOnCoupler, random_arm
 
 Array = NDArray[np.float64]
 Points = NDArray[np.complex128]
 STEPS = 6000
-WHOLE = Box((0.0, 0.0), (2 * np.pi, 2 * np.pi), (True, True)).askew()
-PART = Box((0.5, -1.0), (2.5, 1.0), (False, False))
+WHOLE = DriveBox((0.0, 0.0), (2 * np.pi, 2 * np.pi), (True, True)).askew()
+PART = DriveBox((0.5, -1.0), (2.5, 1.0), (False, False))
 
 
-def poses(shape: ArmOnCoupler, z: Points, box: Box, side: float) -> tuple[NDArray[np.int_], NDArray[np.bool_]]:
+def poses(shape: ArmOnCoupler, z: Points, box: DriveBox, side: float) -> tuple[NDArray[np.int_], NDArray[np.bool_]]:
     """In how many poses the arm's tip is at places, by the signs of its distance from E less its length as the crank
     turns; and whether that is sure, as no such distance comes near without a change of sign."""
     theta = np.linspace(box.low[0], box.high[0], STEPS + 1)
@@ -50,18 +50,18 @@ def poses(shape: ArmOnCoupler, z: Points, box: Box, side: float) -> tuple[NDArra
 
 
 @cache
-def sheet_of(leg: str, side: float) -> Sheet:
+def sheet_of(leg: str, side: float) -> ModeSheet:
     return ArmOnCoupler(leg).sheet(side)
 
 
-def places_of(leg: str, side: float, box: Box) -> Places:
+def places_of(leg: str, side: float, box: DriveBox) -> ModePlaces:
     return places_on(sheet_of(leg, side), box)
 
 
-def places_on(sheet: Sheet, box: Box) -> Places:
-    found = Poses.of(sheet.compiled, "P")
+def places_on(sheet: ModeSheet, box: DriveBox) -> ModePlaces:
+    found = KnownPoses.of(sheet.compiled, "P")
     assert found is not None
-    return Places(found, sheet, box)
+    return ModePlaces(found, sheet, box)
 
 
 @pytest.mark.parametrize("leg", LEGS)
@@ -81,7 +81,7 @@ def test_the_pose_that_leads_to_a_place_is_among_those_that_come_back(leg: str) 
 @pytest.mark.parametrize("box", [WHOLE, PART], ids=["whole", "part"])
 @pytest.mark.parametrize("side", [1.0, -1.0])
 @pytest.mark.parametrize("leg", LEGS)
-def test_as_many_poses_as_signs_change(leg: str, side: float, box: Box) -> None:
+def test_as_many_poses_as_signs_change(leg: str, side: float, box: DriveBox) -> None:
     places = places_of(leg, side, box)
     z = np.random.default_rng(1).uniform(-1.3, 1.3, 250) + 1j * np.random.default_rng(2).uniform(-1.2, 1.2, 250)
     z += 0.3
@@ -118,7 +118,7 @@ def test_sets_hold_all_poses(leg: str, size: float) -> None:
     at = places.sheet.place(rng.uniform(WHOLE.low, WHOLE.high, (count, 2)).T)[0]
     at = at[:, np.isfinite(at).all(axis=0)]
     half, zero = np.full(at.shape[1], size), np.zeros(at.shape[1])
-    sets = places.platforms.over([Form(at[0], half, zero), Form(at[1], zero, half)])
+    sets = places.platforms.over([AffineForm(at[0], half, zero), AffineForm(at[1], zero, half)])
     low, high = sets.rooms[0].ends
     for u, v in rng.uniform(-1, 1, (5, 2)):
         x, rooms = places.platforms.at(at + size * np.array([[u], [v]]))
@@ -128,7 +128,7 @@ def test_sets_hold_all_poses(leg: str, size: float) -> None:
             mine = np.flatnonzero(sets.of == of)
             off = [
                 np.abs(pose[k, slot, of] - form.value - u * form.u - v * form.v)[mine] - form.rest[mine]
-                for k, form in enumerate(Form(*form.parts(sets.of.size)) for form in sets.x[2:])
+                for k, form in enumerate(AffineForm(*form.parts(sets.of.size)) for form in sets.x[2:])
             ]
             inside = (np.max(off, axis=0) < 1e-9) & (high[mine] >= 0)
             assert inside.any()
@@ -160,7 +160,7 @@ def test_a_region_is_enclosed_and_certified(monkeypatch: pytest.MonkeyPatch) -> 
     """Its area against a raster of places decided by the signs along the coupler's way."""
     monkeypatch.setattr("linkwright.studies.workspace.cells.HEAVY", 8 * HEAVY)
     monkeypatch.setattr("linkwright.studies.workspace.certificate.ROUNDS", 0)
-    box, side = Box((0.8, -0.6), (1.6, 0.4), (False, False)), 1.0
+    box, side = DriveBox((0.8, -0.6), (1.6, 0.4), (False, False)), 1.0
     found = enclosed(places_of("PR", side, box), 1e-4)
     assert found is not None and found.certificate.certified
     low, high = found.certificate.area or (0.0, 0.0)

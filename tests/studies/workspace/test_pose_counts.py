@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from helpers.reach import FiveBar, TwoSlides
 from helpers.reach.mechanisms import Mechanism
 from linkwright.studies.workspace.curves import Segments, refined
-from linkwright.studies.workspace.places import Places
-from linkwright.studies.workspace.pose_counts import LATTICE, Paths, contradiction
+from linkwright.studies.workspace.places import ModePlaces
+from linkwright.studies.workspace.pose_counts import LATTICE, DrivePaths, contradiction
 from studies.workspace.made_up import CHORD, Drawn, drawn
 
 Array = NDArray[np.float64]
@@ -29,11 +29,11 @@ def one(request: pytest.FixtureRequest) -> Drawn:
     return drawn(MECHANISMS[request.param])
 
 
-def paths(places: Places, segments: list[Segments]) -> Paths:
-    return Paths.of(places.sheet, segments)
+def paths(places: ModePlaces, segments: list[Segments]) -> DrivePaths:
+    return DrivePaths.of(places.sheet, segments)
 
 
-def lines(some: Paths) -> shapely.Geometry:
+def lines(some: DrivePaths) -> shapely.Geometry:
     return shapely.multilinestrings(shapely.linestrings(np.stack([some.a, some.b]).transpose(2, 0, 1)))
 
 

@@ -12,17 +12,17 @@ from helpers.examples import UNITS
 from linkwright.expressions import units as u
 from linkwright.studies.workspace.curves import curves
 from linkwright.studies.workspace.maps import chained
-from linkwright.studies.workspace.mesh import Box, mesh
-from linkwright.studies.workspace.quality import Task, quality
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.mesh import DriveBox, mesh
+from linkwright.studies.workspace.quality import QualityTask, quality
+from linkwright.studies.workspace.sheet import ModeSheet
 from studies.workspace.models import arm, five_bar
 
-TURNS = Box((0.0, 0.0), (2 * np.pi, 2 * np.pi), (True, True))
+TURNS = DriveBox((0.0, 0.0), (2 * np.pi, 2 * np.pi), (True, True))
 RANDOM = np.random.default_rng(5).uniform([[0.4], [0.2]], [[2.9], [2.7]], (2, 200))
 
 
-def sheet_of(sign: float = 1.0) -> Sheet:
-    return Sheet(five_bar(1, 1.2, 1.1, 1, 1), "C", ("motor", "servo"), (sign,))
+def sheet_of(sign: float = 1.0) -> ModeSheet:
+    return ModeSheet(five_bar(1, 1.2, 1.1, 1, 1), "C", ("motor", "servo"), (sign,))
 
 
 def legs(q: np.ndarray) -> np.ndarray:
@@ -52,7 +52,7 @@ def inside() -> tuple[np.ndarray, np.ndarray]:
 
 def test_figures_are_those_of_the_couplers_closed_form() -> None:
     q, j = inside()
-    task = Task(speeds=(2.0, 3.0), efforts=(4.0, 7.0), force=(1.5, -2.5))
+    task = QualityTask(speeds=(2.0, 3.0), efforts=(4.0, 7.0), force=(1.5, -2.5))
     found = quality(sheet_of(), TURNS, task, steps=4).maps.figures(q)
     by_pose = np.moveaxis(j, 2, 0)
     np.testing.assert_allclose(found["condition"], np.linalg.cond(by_pose), rtol=1e-9)
@@ -79,14 +79,14 @@ def test_jacobian_is_the_change_of_place() -> None:
 
 def test_a_size_of_force_alone_counts_in_its_worst_direction() -> None:
     q, j = inside()
-    found = quality(sheet_of(), TURNS, Task(force=3.0), steps=4).maps.figures(q)
+    found = quality(sheet_of(), TURNS, QualityTask(force=3.0), steps=4).maps.figures(q)
     np.testing.assert_allclose(found["effort servo"], 3 * np.hypot(j[0, 1], j[1, 1]), rtol=1e-8)
 
 
 def test_isotropic_pose_of_a_symmetric_five_bar() -> None:
     """On the middle axis J is isotropic where the couplers are square to each other: then so are their velocities, and
     both cranks drive alike. The transmission angle is right there."""
-    sheet = Sheet(five_bar(1, 1.2, 1.2, 1, 1), "C", ("motor", "servo"), (1.0,))
+    sheet = ModeSheet(five_bar(1, 1.2, 1.2, 1, 1), "C", ("motor", "servo"), (1.0,))
     angle = np.arccos(0.5 - 1.2 * np.sqrt(0.5))
     found = quality(sheet, TURNS, steps=4).maps.figures(np.array([[angle], [np.pi - angle]]))
     assert found["x"][0] == pytest.approx(0.5)
@@ -96,7 +96,7 @@ def test_isotropic_pose_of_a_symmetric_five_bar() -> None:
 
 def test_extremes_and_contours_of_an_arm() -> None:
     """J's determinant is l1 l2 sin(elbow)."""
-    made = quality(Sheet(arm(0.5, 0.4), "P", ("shoulder", "elbow"), ()), TURNS, steps=30)
+    made = quality(ModeSheet(arm(0.5, 0.4), "P", ("shoulder", "elbow"), ()), TURNS, steps=30)
     most, least = made.maps.greatest("manipulability"), made.maps.least("manipulability")
     assert most is not None and least is not None
     assert most.value == pytest.approx(0.2, rel=1e-12)
@@ -162,8 +162,8 @@ def test_efforts_are_those_of_the_force_solver(slides: bool) -> None:
     }
     compiled = compiled_from(data)
     exact = compiled.evaluate(["motor.torque", "servo.force" if slides else "servo.torque"], np.zeros(1))[:, 0]
-    sheet = Sheet(compiled, "P", ("motor", "servo"), (1.0,))
-    found = quality(sheet, TURNS, Task(force=(-3.0, 4.0)), steps=4).maps
+    sheet = ModeSheet(compiled, "P", ("motor", "servo"), (1.0,))
+    found = quality(sheet, TURNS, QualityTask(force=(-3.0, 4.0)), steps=4).maps
     here = found.figures(np.array([[2.0], [servo["start"]]]))
     assert np.abs(exact).min() > 0.1
     np.testing.assert_allclose([here[f"effort {name}"][0] for name in sheet.drives], exact, rtol=1e-10)

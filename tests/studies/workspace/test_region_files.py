@@ -17,20 +17,20 @@ from linkwright.blocks.packing import pack
 from linkwright.findings import ModelError
 from linkwright.model.document import parse_document
 from linkwright.studies.interruption import Stopped
-from linkwright.studies.run_context import Site
+from linkwright.studies.run_context import RunContext
 from linkwright.studies.workspace import study
 from linkwright.studies.workspace.options import WorkspaceOptions
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 from linkwright.studies.workspace.region_files import FOLDER, common
 from linkwright.studies.workspace.regions import Region
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.sheet import ModeSheet
 from linkwright.studies.workspace.study import WorkspaceStudy
 
 VALUES = [30, 35, 20, 25, 28]
 SMALL = {"chord": 1e-3, "drives": {"motor": [80, 120], "servo": [40, 100]}}
 
 
-def outcome_of(data: dict[str, Any], site: Site) -> WorkspaceOutcome:
+def outcome_of(data: dict[str, Any], site: RunContext) -> WorkspaceOutcome:
     document = parse_document(data)
     assert document is not None
     options = WorkspaceOptions.model_validate(data["studies"]["workspace"])
@@ -45,7 +45,7 @@ def interrupted(data: dict[str, Any], out: Path, after: int = 2) -> int:
             raise KeyboardInterrupt
 
     with pytest.raises(Stopped) as stopped:
-        outcome_of(data, Site(out=out, progress=told))
+        outcome_of(data, RunContext(out=out, progress=told))
     kept = len([*(out / FOLDER).iterdir()])
     (failure,) = stopped.value.outcome.failures
     assert failure.data["done"] == kept
@@ -54,7 +54,7 @@ def interrupted(data: dict[str, Any], out: Path, after: int = 2) -> int:
 
 def bits(outcome: WorkspaceOutcome) -> list[Any]:
     """All that the regions and curves of an outcome hold, as bytes."""
-    made = [pack((one.regions, one.curves, one.turning), {Sheet: "sheet"}) for one in outcome.workspaces]
+    made = [pack((one.regions, one.curves, one.turning), {ModeSheet: "sheet"}) for one in outcome.workspaces]
     warnings = [pack(outcome.warnings)]
     return [
         {name: (array.dtype, array.shape, array.tobytes()) for name, array in one.items()} for one in made + warnings
@@ -84,25 +84,25 @@ MODELS: dict[str, dict[str, Any]] = {
 
 @pytest.mark.parametrize("model", MODELS)
 def test_resumed_it_gives_the_same_bits(model: str, tmp_path: Path, found: list[tuple[float, ...]]) -> None:
-    whole = outcome_of(MODELS[model], Site())
+    whole = outcome_of(MODELS[model], RunContext())
     total = len(found)
     kept = interrupted(MODELS[model], tmp_path)
     assert 2 <= kept < total
     found.clear()
     told: list[tuple[int, int]] = []
-    resumed = outcome_of(MODELS[model], Site(out=tmp_path, progress=lambda *done: told.append(done)))
+    resumed = outcome_of(MODELS[model], RunContext(out=tmp_path, progress=lambda *done: told.append(done)))
     assert len(found) == total - kept
     assert told[-1] == (total, total)
     assert bits(resumed) == bits(whole)
     found.clear()
-    again = outcome_of(MODELS[model], Site(out=tmp_path, runner=Threads(3)))
+    again = outcome_of(MODELS[model], RunContext(out=tmp_path, runner=Threads(3)))
     assert not found and bits(again) == bits(whole)
 
 
 def test_the_sheet_of_a_region_that_is_taken_is_that_of_its_values(tmp_path: Path) -> None:
     data = arm(chord=1e-3, **{"for": {"b": [30, 35]}})
-    outcome_of(data, Site(out=tmp_path))
-    for one in outcome_of(data, Site(out=tmp_path)).workspaces:
+    outcome_of(data, RunContext(out=tmp_path))
+    for one in outcome_of(data, RunContext(out=tmp_path)).workspaces:
         (reached,) = one.regions
         x = reached.region.sheet.place(reached.region.mesh.q[:, :1] * 0)[0][0]
         assert x == pytest.approx(0.04 + one.values["b"])
@@ -110,9 +110,9 @@ def test_the_sheet_of_a_region_that_is_taken_is_that_of_its_values(tmp_path: Pat
 
 def test_that_a_mode_reaches_nothing_is_kept_too(tmp_path: Path, found: list[tuple[float, ...]]) -> None:
     data = arm(point="B")
-    first = outcome_of(data, Site(out=tmp_path))
+    first = outcome_of(data, RunContext(out=tmp_path))
     assert len(found) == 1 and [f.code for f in first.failures] == ["workspace.no-area"]
-    second = outcome_of(data, Site(out=tmp_path))
+    second = outcome_of(data, RunContext(out=tmp_path))
     assert len(found) == 1 and second.failures == first.failures
 
 
@@ -127,9 +127,9 @@ def test_faults_are_kept_with_their_regions(tmp_path: Path, monkeypatch: pytest.
         return replace(whole, shape=whole.shape.intersection(shapely.box(0, -1, 1, 1)))
 
     monkeypatch.setattr(study, "region", halved)
-    first = outcome_of(arm(chord=1e-3), Site(out=tmp_path))
+    first = outcome_of(arm(chord=1e-3), RunContext(out=tmp_path))
     monkeypatch.setattr(study, "region", None)
-    second = outcome_of(arm(chord=1e-3), Site(out=tmp_path))
+    second = outcome_of(arm(chord=1e-3), RunContext(out=tmp_path))
     assert [f.code for f in first.failures] == ["workspace.incomplete"]
     assert second.failures == first.failures
 
@@ -152,27 +152,27 @@ def test_a_damaged_file_is_told_and_its_region_found_again(
     damage: str, tmp_path: Path, found: list[tuple[float, ...]]
 ) -> None:
     data = arm(chord=1e-3, **{"for": {"b": [30, 35]}})
-    whole = outcome_of(data, Site(out=tmp_path))
+    whole = outcome_of(data, RunContext(out=tmp_path))
     path = min((tmp_path / FOLDER).iterdir())
     sound = path.read_bytes()
     path.write_bytes(DAMAGES[damage](sound))
     found.clear()
-    mended = outcome_of(data, Site(out=tmp_path))
+    mended = outcome_of(data, RunContext(out=tmp_path))
     assert len(found) == 1 and mended.done
     (note,) = mended.warnings
     assert (note.code, note.severity) == ("workspace.part-damaged", "note")
     assert str(path) in note.what and note.mend
     assert bits(mended)[:-1] == bits(whole)[:-1]
     assert path.read_bytes() == sound
-    assert not outcome_of(data, Site(out=tmp_path)).warnings
+    assert not outcome_of(data, RunContext(out=tmp_path)).warnings
 
 
 def test_a_sound_file_of_another_region_is_not_taken(tmp_path: Path) -> None:
     data = arm(chord=1e-3, **{"for": {"b": [30, 35]}})
-    whole = outcome_of(data, Site(out=tmp_path))
+    whole = outcome_of(data, RunContext(out=tmp_path))
     first, second = sorted((tmp_path / FOLDER).iterdir())
     first.write_bytes(second.read_bytes())
-    mended = outcome_of(data, Site(out=tmp_path))
+    mended = outcome_of(data, RunContext(out=tmp_path))
     assert [f.code for f in mended.warnings] == ["workspace.part-damaged"]
     assert bits(mended)[:-1] == bits(whole)[:-1]
 
@@ -182,7 +182,7 @@ def test_a_file_of_classes_that_have_changed_is_not_taken(tmp_path: Path, monkey
     import linkwright.blocks.packing as packing
 
     data = arm(chord=1e-3)
-    whole = outcome_of(data, Site(out=tmp_path))
+    whole = outcome_of(data, RunContext(out=tmp_path))
     (path,) = (tmp_path / FOLDER).iterdir()
     fields = packing.fields
 
@@ -192,9 +192,9 @@ def test_a_file_of_classes_that_have_changed_is_not_taken(tmp_path: Path, monkey
 
     with monkeypatch.context() as patch:
         patch.setattr(packing, "fields", fewer)
-        outcome_of(data, Site(out=tmp_path, fresh=True))
+        outcome_of(data, RunContext(out=tmp_path, fresh=True))
     assert path.exists()
-    mended = outcome_of(data, Site(out=tmp_path))
+    mended = outcome_of(data, RunContext(out=tmp_path))
     assert [f.code for f in mended.warnings] == ["workspace.part-damaged"]
     assert bits(mended)[:-1] == bits(whole)[:-1]
 
@@ -261,13 +261,13 @@ def test_tables_are_in_the_key(tmp_path: Path) -> None:
 def test_a_changed_parameter_takes_nothing_and_a_further_value_the_rest(
     tmp_path: Path, found: list[tuple[float, ...]]
 ) -> None:
-    outcome_of(arm(chord=1e-3, **{"for": {"b": [30, 35]}}), Site(out=tmp_path))
+    outcome_of(arm(chord=1e-3, **{"for": {"b": [30, 35]}}), RunContext(out=tmp_path))
     found.clear()
-    other = outcome_of(arm(a=41, chord=1e-3, **{"for": {"b": [30, 35]}}), Site(out=tmp_path))
+    other = outcome_of(arm(a=41, chord=1e-3, **{"for": {"b": [30, 35]}}), RunContext(out=tmp_path))
     assert len(found) == 2
-    assert bits(other) == bits(outcome_of(arm(a=41, chord=1e-3, **{"for": {"b": [30, 35]}}), Site()))
+    assert bits(other) == bits(outcome_of(arm(a=41, chord=1e-3, **{"for": {"b": [30, 35]}}), RunContext()))
     found.clear()
-    outcome_of(arm(chord=1e-3, **{"for": {"b": [20, 35, 30]}}), Site(out=tmp_path))
+    outcome_of(arm(chord=1e-3, **{"for": {"b": [20, 35, 30]}}), RunContext(out=tmp_path))
     assert len(found) == 1
 
 
@@ -275,10 +275,10 @@ def test_a_changed_parameter_takes_nothing_and_a_further_value_the_rest(
 
 
 def test_fresh_passes_over_what_is_there(tmp_path: Path, found: list[tuple[float, ...]]) -> None:
-    outcome_of(arm(chord=1e-3), Site(out=tmp_path))
+    outcome_of(arm(chord=1e-3), RunContext(out=tmp_path))
     (path,) = (tmp_path / FOLDER).iterdir()
     path.write_bytes(b"damaged")
-    fresh = outcome_of(arm(chord=1e-3), Site(out=tmp_path, fresh=True))
+    fresh = outcome_of(arm(chord=1e-3), RunContext(out=tmp_path, fresh=True))
     assert len(found) == 2 and not fresh.warnings
 
 
@@ -288,7 +288,7 @@ def test_the_folder_is_announced_before_it_is_made(tmp_path: Path) -> None:
     def keep(path: Path, name: str) -> None:
         told.append((path, name, path.exists()))
 
-    outcome_of(arm(chord=1e-3), Site(out=tmp_path / "new", keep=keep))
+    outcome_of(arm(chord=1e-3), RunContext(out=tmp_path / "new", keep=keep))
     assert told == [(tmp_path / "new" / FOLDER, "workspace", False)]
 
 
@@ -304,15 +304,15 @@ def test_a_full_disk_stops_the_study_and_what_was_kept_is_taken(
 
     with monkeypatch.context() as patch, pytest.raises(ModelError) as stopped:
         patch.setattr(checkpoint, "write_aside", full)
-        outcome_of(data, Site(out=tmp_path))
+        outcome_of(data, RunContext(out=tmp_path))
     assert [f.code for f in stopped.value.findings] == ["blocks.no-space"]
     assert len([*(tmp_path / FOLDER).iterdir()]) == 2
     found.clear()
-    assert outcome_of(data, Site(out=tmp_path)).done and len(found) == len(VALUES) - 2
+    assert outcome_of(data, RunContext(out=tmp_path)).done and len(found) == len(VALUES) - 2
 
 
 def test_a_folder_that_cannot_be_made(tmp_path: Path) -> None:
     (tmp_path / FOLDER).write_text("a file", "utf-8")
     with pytest.raises(ModelError) as refused:
-        outcome_of(arm(chord=1e-3), Site(out=tmp_path))
+        outcome_of(arm(chord=1e-3), RunContext(out=tmp_path))
     assert [f.code for f in refused.value.findings] == ["blocks.unwritable"]

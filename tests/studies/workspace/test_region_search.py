@@ -16,22 +16,22 @@ from linkwright.presentation.blocks import Table
 from linkwright.studies.workspace import region_search as module
 from linkwright.studies.workspace.certificate import SEARCHED
 from linkwright.studies.workspace.curves import Segments, smooth, traced
-from linkwright.studies.workspace.mesh import Box, Mesh, found_pits, mesh
+from linkwright.studies.workspace.mesh import DriveBox, Mesh, found_pits, mesh
 from linkwright.studies.workspace.region_search import ROUGH, _with_slivers, reached, searched
 from linkwright.studies.workspace.report import report, workspace_entry, workspace_sentences
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.sheet import ModeSheet
 from linkwright.words import say
 from studies.workspace.models import arm, triad_turned_round
 
 CHORD = 1e-5
-PART = Box((0.3, 0.4), (1.7, 2.0))
+PART = DriveBox((0.3, 0.4), (1.7, 2.0))
 
 
 class Traced:
     """An arm's curves with both drives in ranges."""
 
     def __init__(self) -> None:
-        self.sheet = Sheet(arm(1.0, 0.6), "P", ("shoulder", "elbow"), ())
+        self.sheet = ModeSheet(arm(1.0, 0.6), "P", ("shoulder", "elbow"), ())
         self.mesh: Mesh = mesh(self.sheet, PART, 64, found_pits(self.sheet, PART))
         self.segments: list[Segments] = smooth(self.sheet, traced(self.sheet, self.mesh), CHORD)
 
@@ -131,7 +131,7 @@ def test_slivers_go_with_the_neighbour_of_the_longest_common_edge() -> None:
 def test_an_area_that_does_not_settle_is_a_fault(monkeypatch: pytest.MonkeyPatch) -> None:
     """Held to no change at all, on meshes that never have the same curves."""
     monkeypatch.setattr(module, "MESHES", ((16, 16, False),))
-    sheet = Sheet(arm(1.0, 0.6), "P", ("shoulder", "elbow"), ())
+    sheet = ModeSheet(arm(1.0, 0.6), "P", ("shoulder", "elbow"), ())
     found = searched(sheet, PART, CHORD)
     assert [fault.kind for fault in found.faults] == ["unsettled"]
     x, y = found.faults[0].at
@@ -140,7 +140,7 @@ def test_an_area_that_does_not_settle_is_a_fault(monkeypatch: pytest.MonkeyPatch
 
 def test_the_meshes_with_the_least_faults_are_taken(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(module, "MESHES", ((16, 16, False), (32, 64, False)))
-    sheet = Sheet(arm(1.0, 0.6), "P", ("shoulder", "elbow"), ())
+    sheet = ModeSheet(arm(1.0, 0.6), "P", ("shoulder", "elbow"), ())
     found = searched(sheet, PART, CHORD)
     assert not found.faults and found.steps == 64 and found.change < 1e-3
 
@@ -167,7 +167,7 @@ def test_what_has_no_inverse_in_closed_form_is_searched_for_and_says_so() -> Non
     assert held(one.region.sheet, one.region.shape) > 0.999
 
 
-def held(sheet: Sheet, shape: Any) -> float:
+def held(sheet: ModeSheet, shape: Any) -> float:
     """The share of places that values of the drives lead to that lie in a shape."""
     at = sheet.place(np.random.default_rng(0).uniform([[1.8], [0.8]], [[2.2], [1.2]], (2, 3000)))[0]
     return float(shapely.contains_xy(shape, *at).mean())
@@ -176,7 +176,7 @@ def held(sheet: Sheet, shape: Any) -> float:
 def test_curves_that_cannot_be_followed_are_a_finding_and_soon() -> None:
     """In this mode M and K meet all along a curve of the drives' values, where the hand may point anywhere."""
     compiled = compiled_from(triad_turned_round())
-    whole = Box((0.0, 0.0), (2 * np.pi, 2 * np.pi), (True, True)).askew()
-    found = searched(Sheet(compiled, "P", ("motor", "servo"), (-1.0, 1.0)), whole, CHORD)
+    whole = DriveBox((0.0, 0.0), (2 * np.pi, 2 * np.pi), (True, True)).askew()
+    found = searched(ModeSheet(compiled, "P", ("motor", "servo"), (-1.0, 1.0)), whole, CHORD)
     assert [fault.kind for fault in found.faults] == ["rough"] and found.shape.is_empty
     assert found.faults[0].size > ROUGH

@@ -11,15 +11,15 @@ import shapely
 from linkwright.compilation import compile_mechanism
 from linkwright.kernels.parameter_batch import Varied
 from linkwright.model.document import load
-from linkwright.studies.workspace.mesh import Box, found_pits
+from linkwright.studies.workspace.mesh import DriveBox, found_pits
 from linkwright.studies.workspace.region_search import searched
 from linkwright.studies.workspace.regions import Region, region
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.sheet import ModeSheet
 from linkwright.studies.workspace.solving import reaches
 from studies.workspace.models import arm, five_bar
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
-TURNS = Box((0.0, 0.0), (2 * np.pi, 2 * np.pi), (True, True))
+TURNS = DriveBox((0.0, 0.0), (2 * np.pi, 2 * np.pi), (True, True))
 
 
 def lens(one: float, other: float, apart: float) -> float:
@@ -38,7 +38,7 @@ def symmetric() -> list[Region]:
     """Both assemblies of a five-bar with cranks 1, couplers 1.2 and base 1."""
     compiled = five_bar(1, 1.2, 1.2, 1, 1)
     chord = 2e-7
-    return [region(Sheet(compiled, "C", ("motor", "servo"), (sign,)), TURNS, chord) for sign in (1.0, -1.0)]
+    return [region(ModeSheet(compiled, "C", ("motor", "servo"), (sign,)), TURNS, chord) for sign in (1.0, -1.0)]
 
 
 def test_both_assemblies_reach_what_both_arms_do(symmetric: list[Region]) -> None:
@@ -66,11 +66,11 @@ def test_where_the_cranks_meet_the_couplers_may_point_anywhere(symmetric: list[R
 
 def test_an_arm_reaches_an_annulus_and_a_part_of_it() -> None:
     compiled = arm(1.0, 0.6)
-    whole = region(Sheet(compiled, "P", ("shoulder", "elbow"), ()), TURNS, 1e-6)
+    whole = region(ModeSheet(compiled, "P", ("shoulder", "elbow"), ()), TURNS, 1e-6)
     assert whole.shape.area == pytest.approx(np.pi * (1.6**2 - 0.4**2), rel=1e-6)
     assert len(whole.shape.interiors) == 1
-    quarter = Box((0.0, np.pi / 6), (np.pi / 2, np.pi / 2))
-    part = region(Sheet(compiled, "P", ("shoulder", "elbow"), ()), quarter, 1e-6)
+    quarter = DriveBox((0.0, np.pi / 6), (np.pi / 2, np.pi / 2))
+    part = region(ModeSheet(compiled, "P", ("shoulder", "elbow"), ()), quarter, 1e-6)
     outer, inner = (1 + 0.36 + 1.2 * np.cos(elbow) for elbow in quarter.low[1:] + quarter.high[1:])
     assert part.shape.area == pytest.approx(np.pi / 4 * (outer - inner), rel=1e-6)
 
@@ -81,7 +81,7 @@ def paper(request: pytest.FixtureRequest) -> Region:
     alpha, sign = request.param
     compiled = compile_mechanism(load(EXAMPLES / "five_bar_workspace.yaml"))
     p = Varied(compiled, ["alpha"]).parameters(np.array([[np.radians(alpha)]]))[:, 0]
-    return region(Sheet(compiled, "P", ("motor", "servo"), (sign,), p), TURNS, 3e-8)
+    return region(ModeSheet(compiled, "P", ("motor", "servo"), (sign,), p), TURNS, 3e-8)
 
 
 def test_all_that_is_reached_lies_inside(paper: Region) -> None:
@@ -128,7 +128,7 @@ def test_assemblies_mirror_each_other_with_the_assembly_angle() -> None:
     compiled = compile_mechanism(load(EXAMPLES / "five_bar_workspace.yaml"))
     p = Varied(compiled, ["alpha"]).parameters(np.radians([[60.0, -60.0, 0.0]]))
     one, other, apart, left, right = (
-        region(Sheet(compiled, "P", ("motor", "servo"), (sign,), p[:, k]), TURNS, 1e-5).shape
+        region(ModeSheet(compiled, "P", ("motor", "servo"), (sign,), p[:, k]), TURNS, 1e-5).shape
         for k, sign in ((0, 1.0), (1, -1.0), (0, -1.0), (2, 1.0), (2, -1.0))
     )
     for first, second in ((one, other), (left, right)):
@@ -150,7 +150,7 @@ def test_no_face_is_left_open(lengths: tuple[float, ...], alpha: float, holes: i
     compiled = compile_mechanism(load(EXAMPLES / "five_bar_workspace.yaml"))
     values = np.array([*np.array(lengths) / 1000, alpha])[:, None]
     p = Varied(compiled, ["l1", "l2", "l3", "l4", "l5", "r2", "alpha"]).parameters(values)[:, 0]
-    found = region(Sheet(compiled, "P", ("motor", "servo"), (1.0,), p), TURNS, 3e-7)
+    found = region(ModeSheet(compiled, "P", ("motor", "servo"), (1.0,), p), TURNS, 3e-7)
     at = found.sheet.place(2 * np.pi * np.random.default_rng(2).random((2, 20_000)))[0]
     at = at[:, np.isfinite(at).all(axis=0)]
     away = shapely.distance(found.shape, shapely.points(at.T))

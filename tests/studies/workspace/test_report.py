@@ -18,7 +18,7 @@ from linkwright.app.job import Job
 from linkwright.presentation.blocks import Charts, Table
 from linkwright.report.build import report_data
 from linkwright.report.page import page
-from linkwright.studies.workspace.certificate import Certificate, Fault
+from linkwright.studies.workspace.certificate import Contradiction, RegionCertificate
 from linkwright.studies.workspace.files import boundary_csv, dxf, geojson, svg
 from linkwright.studies.workspace.report import report
 
@@ -72,25 +72,33 @@ def test_what_is_proven_of_a_region_is_in_the_summary_and_the_table(job: Job) ->
     ("certificate", "within", "parts", "holes", "grade"),
     [
         (
-            Certificate("enclosed", (14e-3, 16e-3), True, False),
+            RegionCertificate("enclosed", (14e-3, 16e-3), True, False),
             "14000 .. 16000 mm²",
             "1",
             "1, not certified",
             "certified",
         ),
         (
-            Certificate("enclosed", (16e-3, 17e-3), True, True, faults=(Fault("area", 1e-3, (0.0, 0.0)),)),
+            RegionCertificate(
+                "enclosed", (16e-3, 17e-3), True, True, faults=(Contradiction("area", 1e-3, (0.0, 0.0)),)
+            ),
             "16000 .. 17000 mm²",
             "1",
             "1",
             "not certified",
         ),
-        (Certificate("searched"), "–", "1", "1", "searched"),
-        (Certificate("searched", faults=(Fault("cut", 1.0, (0.0, 0.0)),)), "–", "1", "1", "not certified"),
+        (RegionCertificate("searched"), "–", "1", "1", "searched"),
+        (
+            RegionCertificate("searched", faults=(Contradiction("cut", 1.0, (0.0, 0.0)),)),
+            "–",
+            "1",
+            "1",
+            "not certified",
+        ),
     ],
 )
 def test_what_is_not_proven_is_said_in_the_table(
-    job: Job, certificate: Certificate, within: str, parts: str, holes: str, grade: str
+    job: Job, certificate: RegionCertificate, within: str, parts: str, holes: str, grade: str
 ) -> None:
     assert job.workspace is not None
     (one,) = job.workspace.workspaces

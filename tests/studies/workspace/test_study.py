@@ -17,7 +17,7 @@ from linkwright.app.single_study import altered
 from linkwright.blocks import Threads
 from linkwright.model.document import parse_document
 from linkwright.studies.interruption import Stopped
-from linkwright.studies.run_context import Site
+from linkwright.studies.run_context import RunContext
 from linkwright.studies.workspace import study
 from linkwright.studies.workspace.options import WorkspaceOptions
 from linkwright.studies.workspace.regions import Region
@@ -156,7 +156,7 @@ def test_a_slide_needs_a_range() -> None:
     assert codes(polar()) == ["workspace.no-range"]
 
 
-def test_other_numbers_of_drives_and_clusters_are_refused() -> None:
+def test_other_numbers_of_drives_and_higher_groups_are_refused() -> None:
     three = arm()
     three["links"]["hand"] = {"points": {"E": [0, 0], "G": [10, 0]}}
     three["drives"]["wrist"] = {"turns": "hand", "on": "fore", "speed": "10 rpm", "start": "0 deg"}
@@ -179,7 +179,7 @@ def test_an_interrupt_keeps_what_is_done() -> None:
             raise KeyboardInterrupt
 
     with pytest.raises(Stopped) as stopped:
-        WorkspaceStudy().run(compiled, options, Site(runner=Threads(1), progress=told))
+        WorkspaceStudy().run(compiled, options, RunContext(runner=Threads(1), progress=told))
     outcome = stopped.value.outcome
     assert not outcome.done and [f.code for f in outcome.failures] == ["workspace.stopped"]
     done = len(outcome.workspaces)  # the one told of, and one that was at work by then
@@ -196,7 +196,9 @@ def test_threads_change_nothing() -> None:
     one, two = (
         [
             region.shape.wkb
-            for region in WorkspaceStudy().run(lw.compile(document), options, Site(runner=Threads(workers))).regions
+            for region in WorkspaceStudy()
+            .run(lw.compile(document), options, RunContext(runner=Threads(workers)))
+            .regions
         ]
         for workers in (1, 3)
     )

@@ -7,9 +7,9 @@ import pytest
 from numpy.typing import NDArray
 
 from linkwright.kernels import Compiled
-from linkwright.studies.workspace.coupler_curve import Stretch
-from linkwright.studies.workspace.mesh import Box
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.coupler_curve import CurveStretch
+from linkwright.studies.workspace.mesh import DriveBox
+from linkwright.studies.workspace.sheet import ModeSheet
 from linkwright.studies.workspace.trajectories import Trajectories, trajectories
 from studies.workspace.models import arm, five_bar
 
@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 Lengths = tuple[float, float, float, float, float]
 
 TURN = 2 * np.pi
-WHOLE = Box((0.0, 0.0), (TURN, TURN), (True, True))
+WHOLE = DriveBox((0.0, 0.0), (TURN, TURN), (True, True))
 ROUND: Lengths = (8.0, 26.0, 28.0, 10.0, 30.0)
 """Peng and Zi's lengths: both cranks turn fully."""
 BROKEN: Lengths = (20.0, 26.0, 28.0, 10.0, 30.0)
@@ -25,8 +25,8 @@ VALUES = np.arange(24) * TURN / 24
 CHORD = 1e-3
 
 
-def sheet(lengths: Lengths, sign: float = 1.0) -> Sheet:
-    return Sheet(five_bar(*lengths), "C", ("motor", "servo"), (sign,))
+def sheet(lengths: Lengths, sign: float = 1.0) -> ModeSheet:
+    return ModeSheet(five_bar(*lengths), "C", ("motor", "servo"), (sign,))
 
 
 def pins(lengths: Lengths, hold: int, held: float, q: Array) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
@@ -43,7 +43,7 @@ def apart(lengths: Lengths, hold: int, held: float, q: Array) -> tuple[Array, Ar
     return far, lengths[1] + lengths[2] - far, far - abs(lengths[1] - lengths[2])
 
 
-def each(found: Trajectories) -> list[tuple[float, Stretch]]:
+def each(found: Trajectories) -> list[tuple[float, CurveStretch]]:
     return [(one.held, stretch) for one in found.each for stretch in one.stretches]
 
 
@@ -141,11 +141,11 @@ def test_a_trajectory_breaks_where_the_pins_meet() -> None:
 def test_an_open_chain_has_whole_circles_and_ranges_have_their_ends() -> None:
     """Held elbow: circles about the shoulder; held shoulder: half circles about the elbow's pin."""
     compiled: Compiled = arm(2.0, 1.0)
-    place = Sheet(compiled, "P", ("shoulder", "elbow"), ())
+    place = ModeSheet(compiled, "P", ("shoulder", "elbow"), ())
     circles = trajectories(place, WHOLE, 1, np.array([0.0, np.pi / 2, np.pi]), 1e-5)
     assert [one.length for one in circles.each] == pytest.approx([6 * np.pi, TURN * 5**0.5, TURN], rel=1e-5)
     assert circles.whole == 3
-    half = trajectories(place, Box((0, 0), (TURN, np.pi), (True, False)), 0, np.array([0.0, 1.0]), 1e-5)
+    half = trajectories(place, DriveBox((0, 0), (TURN, np.pi), (True, False)), 0, np.array([0.0, 1.0]), 1e-5)
     for held, stretch in each(half):
         assert (stretch.q[0], stretch.q[-1], stretch.closed) == (0.0, np.pi, False)
         assert stretch.length == pytest.approx(np.pi, rel=1e-5)

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from helpers.shown import blocks, heads, rows
 from helpers.workspaces import arm, five_bar, performed
 from linkwright.app.job import Job
-from linkwright.drawing.plane import Plane
+from linkwright.drawing.plane import PicturePlane
 from linkwright.presentation.blocks import Charts
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 from linkwright.studies.workspace.report import report
@@ -122,7 +122,7 @@ def test_many_trajectories_are_thinned() -> None:
     ways = [
         ColouredLine(k, [np.stack([np.cos(3 * angle) * (1 + k / 720), np.sin(2 * angle)])], f"{k}") for k in range(720)
     ]
-    plane = Plane((-2, -1, 2, 1), "mm")
+    plane = PicturePlane((-2, -1, 2, 1), "mm")
     drawing = trajectory_picture(plane, ways, Scale(0, 720, "mm", False, "held"), "M0 0Z", [], [], "title")
     assert LARGEST / 4 < len(drawing) < 400_000
     assert drawing.count("<title>") == 180  # every fourth

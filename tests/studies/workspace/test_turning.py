@@ -14,16 +14,16 @@ from numpy.typing import NDArray
 from helpers.compiled import compiled_from
 from linkwright import load
 from linkwright.compilation import compile_mechanism
-from linkwright.graph.rows import Radicand, Reach
+from linkwright.graph.rows import Radicand, ReachRow
 from linkwright.kernels import KERNELS, Compiled
-from linkwright.studies.workspace.mesh import Box
-from linkwright.studies.workspace.sheet import Sheet
-from linkwright.studies.workspace.turning import Turning, turnings
+from linkwright.studies.workspace.mesh import DriveBox
+from linkwright.studies.workspace.sheet import ModeSheet
+from linkwright.studies.workspace.turning import TurningValues, turnings
 
 Array = NDArray[np.float64]
 EXAMPLES = Path(__file__).parents[3] / "examples"
 TURN = 2 * np.pi
-ROUND = Box((0.0, 0.0), (TURN, TURN), (True, True))
+ROUND = DriveBox((0.0, 0.0), (TURN, TURN), (True, True))
 DRIVES = {
     "motor": {"turns": "crank1", "on": "frame", "speed": "1 rad/s", "start": "90 deg"},
     "servo": {"turns": "crank4", "on": "frame", "position": "60 deg"},
@@ -50,10 +50,10 @@ def model(
     return compiled_from({**data, **({"assembly": dict(assembly)} if assembly else {}), **more})
 
 
-def sheets(compiled: Compiled, point: str = "B", parameters: Array | None = None) -> list[Sheet]:
+def sheets(compiled: Compiled, point: str = "B", parameters: Array | None = None) -> list[ModeSheet]:
     """All modes."""
     signs = product((1.0, -1.0), repeat=len(compiled.graph.branched))
-    return [Sheet(compiled, point, ("motor", "servo"), branches, parameters) for branches in signs]
+    return [ModeSheet(compiled, point, ("motor", "servo"), branches, parameters) for branches in signs]
 
 
 @pytest.fixture(scope="module")
@@ -106,7 +106,7 @@ def where(lengths: Array, drive: str) -> list[tuple[float, float]]:
     return sorted(found)
 
 
-def of(found: list[Turning], drive: str) -> Turning:
+def of(found: list[TurningValues], drive: str) -> TurningValues:
     (one,) = [turning for turning in found if turning.drive == drive]
     return one
 
@@ -116,7 +116,7 @@ def test_the_room_is_the_paper_s_discriminant(five_bar: Compiled) -> None:
     16 d^2 (l2^2 + l3^2) reach with d the distance of the outer pins."""
     rng = np.random.default_rng(1)
     group = five_bar.structure.groups[0].label
-    engine = KERNELS["numpy"](five_bar.graph.program([Radicand(group), Reach(group)]))
+    engine = KERNELS["numpy"](five_bar.graph.program([Radicand(group), ReachRow(group)]))
     for _ in range(5):
         lengths, q = rng.uniform(0.5, 3, 5), rng.uniform(0, TURN, (2, 200))
         sheet = sheets(five_bar, parameters=lengths)[0]
@@ -227,7 +227,7 @@ def test_lines_that_become_parallel() -> None:
     rails = {"first": along("crank1", "a", "O1", "C"), "second": along("crank4", "b", "O4", "C")}
     compiled = model(links, {"l1": 1.0, "l4": 1.0, "l5": 1.5}, {}, joints=rails)
     assert [one.intervals for one in turnings(sheets(compiled), ROUND)] == [(), ()]
-    part = Box((1.0, 0.0), (2.0, TURN), (False, True))
+    part = DriveBox((1.0, 0.0), (2.0, TURN), (False, True))
     expected = [(2.0, 1 + np.pi), (2 + np.pi, 1 + TURN)]
     found = turnings(sheets(compiled), part)
     assert np.allclose(of(found, "motor").intervals, expected, rtol=0, atol=1e-9)
@@ -239,7 +239,7 @@ def test_an_arm_turns_whatever_it_does() -> None:
     links = {name: CRANKS[name] for name in ("frame", "crank1")} | {"crank4": {"points": {"B": [0, 0], "P": [1, 0]}}}
     drives = {"motor": DRIVES["motor"], "servo": {**DRIVES["servo"], "on": "crank1"}}
     compiled = model(links, {"l1": 1.0, "l5": 2.0}, {}, drives=drives)
-    found = turnings([Sheet(compiled, "P", ("motor", "servo"), ())], ROUND)
+    found = turnings([ModeSheet(compiled, "P", ("motor", "servo"), ())], ROUND)
     assert [(one.whole, one.intervals) for one in found] == [(True, ((0.0, TURN),))] * 2
 
 
@@ -247,10 +247,12 @@ def test_limited_ranges(five_bar: Compiled) -> None:
     """A servo with a range: its intervals end there; a motor with one needs to go through that only."""
     lengths = np.array([0.8, 2.2, 2.4, 1.0, 3.0])
     end = np.arccos((3.8**2 - 10) / 6)
-    servo = Box((0.0, 0.0), (TURN, 1.0), (True, False))
+    servo = DriveBox((0.0, 0.0), (TURN, 1.0), (True, False))
     motor = of(turnings(sheets(five_bar, parameters=lengths), servo), "motor")
     assert np.allclose(motor.intervals, [(end, 1.0)], rtol=0, atol=1e-12) and not motor.whole
-    ahead = Box((-0.5, 0.0), (0.5, TURN), (False, True))  # the crank points at the other one: far less is to be spanned
+    ahead = DriveBox(
+        (-0.5, 0.0), (0.5, TURN), (False, True)
+    )  # the crank points at the other one: far less is to be spanned
     assert of(turnings(sheets(five_bar, parameters=lengths), ahead), "motor").whole
 
 
@@ -276,7 +278,7 @@ def test_modes_apart() -> None:
     assert [len(one.intervals) for one in found] == [1, 1, 1, 0]
     circle = np.linspace(0, TURN, 4001)
 
-    def closes(one: Turning, value: float) -> bool:
+    def closes(one: TurningValues, value: float) -> bool:
         q1, q2 = (circle, np.full(4001, value))[:: 1 if one.drive == "motor" else -1]
         b, d = FIVE["l1"] * np.exp(1j * q1), FIVE["l5"] + FIVE["l4"] * np.exp(1j * q2)
         p = d + (circles(b, d, FIVE["l2"], FIVE["l3"], one.mode["link2-link3"]) - d) / FIVE["l3"] * (0.6 + 0.5j)

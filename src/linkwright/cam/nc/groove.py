@@ -18,9 +18,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.cam.disc import TURN, Disc
-from linkwright.cam.nc.job import Job, Pass, side, way
+from linkwright.cam.nc.job import MillingJob, Pass, side, way
 from linkwright.cam.nc.lead_in import around, beyond, ends, leads, share
-from linkwright.cam.nc.path import Element, Path
+from linkwright.cam.nc.path import CutterPath, Element
 
 Array = NDArray[np.float64]
 
@@ -44,7 +44,7 @@ class Groove:
     """A groove and the job that mills it; mm."""
 
     disc: Disc
-    job: Job
+    job: MillingJob
 
     @property
     def room(self) -> float:
@@ -117,7 +117,7 @@ class Groove:
         """Whether the flanks are finished by passes of their own."""
         return self.job.allowance > 0 or self.job.compensation
 
-    def route(self, far: float, flank: int, slot: bool = False) -> Path:
+    def route(self, far: float, flank: int, slot: bool = False) -> CutterPath:
         """The path so far beside the pitch curve towards a flank, which lies on the right of a climbing cutter. It is
         coarse where it leaves enough to later passes."""
         job, offset, spare = self.job, flank * far / 1e3, min(self.room - far, self.job.cutter)
@@ -125,9 +125,11 @@ class Groove:
         coarse = spare > SPARE
         allowed = COARSE * spare / 1e3 if coarse else job.tolerance
         sense = -flank * way(self.disc, job)
-        return Path(self.disc, offset, job.start, sense, allowed, job.decimals, job.arcs, coarse, cuts)
+        return CutterPath(self.disc, offset, job.start, sense, allowed, job.decimals, job.arcs, coarse, cuts)
 
-    def lead(self, route: Path, flank: int, far: float, least: float, uncut: float, aside: float = 0.0) -> float | None:
+    def lead(
+        self, route: CutterPath, flank: int, far: float, least: float, uncut: float, aside: float = 0.0
+    ) -> float | None:
         """The radius of both leads: the job's, or what brings the cutter in from where nothing is left ``uncut`` (mm),
         or the largest for which it, ``aside`` of them, stays between ``least`` and ``far`` beside the pitch curve,
         towards the flank; ``None`` where there is none."""

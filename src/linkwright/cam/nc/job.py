@@ -8,11 +8,11 @@ from dataclasses import dataclass, replace
 
 from linkwright.cam.disc import Disc
 from linkwright.cam.nc.lead_in import around
-from linkwright.cam.nc.path import Element, Path
+from linkwright.cam.nc.path import CutterPath, Element
 
 
 @dataclass(frozen=True)
-class Job:
+class MillingJob:
     """Lengths in mm, speeds in mm/min and rpm. ``tolerance`` is how far the lift may be off (m or rad),
     ``blend`` (mm) how far a control that rounds corners may leave the path.
 
@@ -76,24 +76,24 @@ class Pass:
         return self.elements[0].start
 
 
-def way(disc: Disc, job: Job) -> int:
+def way(disc: Disc, job: MillingJob) -> int:
     """+1 where the cutter goes with growing cam angle; with M3 a climbing cutter goes clockwise around the outside."""
     return disc.sense if job.climb else -disc.sense
 
 
-def side(job: Job) -> int:
+def side(job: MillingJob) -> int:
     """The side on which a control runs the cutter: a climbing one with M3 has what it cuts on its right."""
     return (1 if job.climb else -1) if job.compensation else 0
 
 
-def path(disc: Disc, job: Job, allowance: float = 0.0) -> Path:
+def path(disc: Disc, job: MillingJob, allowance: float = 0.0) -> CutterPath:
     """The programmed path of a pass that leaves an allowance (mm)."""
     offset = allowance / 1e3 - disc.follower.radius + (0.0 if job.compensation else job.cutter / 1e3)
     allowed = job.tolerance
-    return Path(disc, offset, job.start, way(disc, job), allowed, job.decimals, job.arcs)
+    return CutterPath(disc, offset, job.start, way(disc, job), allowed, job.decimals, job.arcs)
 
 
-def passes(disc: Disc, job: Job) -> Iterator[Pass]:
+def passes(disc: Disc, job: MillingJob) -> Iterator[Pass]:
     """All passes around a profile, from the top down."""
 
     def one(allowance: float, note: str) -> Pass:

@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.cam.nc.path import Element, Path
+from linkwright.cam.nc.path import CutterPath, Element
 
 Array = NDArray[np.float64]
 Ends = tuple[Array, Array, Array]
@@ -16,7 +16,7 @@ Ends = tuple[Array, Array, Array]
 QUARTER = math.pi / 2
 
 
-def around(route: Path, overlap: float, radius: float, away: int = 1) -> tuple[Element, ...]:
+def around(route: CutterPath, overlap: float, radius: float, away: int = 1) -> tuple[Element, ...]:
     """Entry, once around and on by the ``overlap`` (mm), exit; both on quarter circles of a ``radius`` (mm) that lie
     outward of the path (``away`` +1) or inward (-1). Without any where it is 0."""
     turn = route.elements()
@@ -28,7 +28,7 @@ def around(route: Path, overlap: float, radius: float, away: int = 1) -> tuple[E
     return (first, *turn, *again, last)
 
 
-def ends(route: Path, more: float) -> Ends:
+def ends(route: CutterPath, more: float) -> Ends:
     """Where a path begins and where it ends, at the share ``more`` of the second turn."""
     at, tangents, normals, _ = route.at(np.array([0.0, more]))
     return np.round(at, route.decimals).T, tangents.T, normals.T
@@ -43,7 +43,7 @@ def leads(ends: Ends, radius: float, away: int, decimals: int) -> tuple[Element,
     )
 
 
-def share(route: Path, length: float) -> float:
+def share(route: CutterPath, length: float) -> float:
     """The share of the turn that a length (mm) from the start takes, about."""
     look = route.look(np.zeros(1))
     speed = 1e3 * float(np.broadcast_to(look.speed.d[0], 1)[0] * abs(look.radius(route.offset)[0] / look.radius()[0]))

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.cam.disc import TURN, Disc, Look
+from linkwright.cam.disc import TURN, Disc, DiscJets
 
 Array = NDArray[np.float64]
 
@@ -64,7 +64,7 @@ class Sharp(ValueError):
 
 
 @dataclass(frozen=True)
-class Path:
+class CutterPath:
     """The curve ``offset`` (m) outward of the pitch curve, from the cam angle ``first`` (rad) on by a turn; ``way`` +1
     with growing cam angle, -1 against it. ``allowed`` is how far the lift may be off (m or rad), or with ``along`` the
     curve itself (m). ``cuts`` (m) is what it cuts, as far outward of the pitch curve; the profile unless given."""
@@ -88,7 +88,7 @@ class Path:
         reach = 1.0 if self.along else sum(a.d[0] * b.d[0] for a, b in zip(look.along, look.arm, strict=True))
         return 1e3 * look.offset(self.offset), tangent, normal, 1e3 * SHARE * self.allowed * np.abs(reach) + 0 * u
 
-    def look(self, u: Array) -> Look:
+    def look(self, u: Array) -> DiscJets:
         """The cam at shares of the turn."""
         return self.disc.look(np.mod(self.first + self.way * TURN * u, TURN))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import ClassVar
 
-from linkwright.cam.nc.job import Job, Pass
+from linkwright.cam.nc.job import MillingJob, Pass
 from linkwright.cam.nc.lead_in import beyond
 from linkwright.cam.nc.path import Element
 from linkwright.escape import nc
@@ -29,24 +29,24 @@ class Post:
         """A remark."""
         return f"({nc(text)})"
 
-    def head(self, job: Job) -> list[str]:
+    def head(self, job: MillingJob) -> list[str]:
         """What comes before the first motion."""
         raise NotImplementedError
 
-    def foot(self, job: Job) -> list[str]:
+    def foot(self, job: MillingJob) -> list[str]:
         """What comes after the last."""
         return ["M5", "M9", "M30"]
 
-    def text(self, job: Job, passes: Sequence[Pass], notes: Sequence[str] = ()) -> str:
+    def text(self, job: MillingJob, passes: Sequence[Pass], notes: Sequence[str] = ()) -> str:
         """The whole file."""
-        writer = _Writer(min(job.decimals, self.most))
+        writer = _ModalWriter(min(job.decimals, self.most))
         lines = [*self.head(job), *map(self.comment, notes), f"G0 Z{writer.number(job.clear)}"]
         for one in passes:
             lines.append(self.comment(f"{one.note} Z{writer.number(one.z)}"))
             lines += self._once(writer, job, one)
         return "\n".join([*lines, *self.foot(job)]) + "\n"
 
-    def _once(self, writer: _Writer, job: Job, one: Pass) -> Iterator[str]:
+    def _once(self, writer: _ModalWriter, job: MillingJob, one: Pass) -> Iterator[str]:
         """Down, around, up."""
         x, y = one.entry
         if one.side:  # switched on and off on straight ways of their own, from beside the entry
@@ -87,7 +87,7 @@ class LinuxCnc(Post):
     suffix = "ngc"
     longest = 255
 
-    def head(self, job: Job) -> list[str]:
+    def head(self, job: MillingJob) -> list[str]:
         blend = f"{job.blend:.4f}"
         return [
             "%",
@@ -100,7 +100,7 @@ class LinuxCnc(Post):
             f"S{job.speed:.0f} M3",
         ]
 
-    def foot(self, job: Job) -> list[str]:
+    def foot(self, job: MillingJob) -> list[str]:
         return ["M5", "M9", "M2", "%"]
 
 
@@ -110,7 +110,7 @@ class Fanuc(Post):
 
     name = "fanuc"
 
-    def head(self, job: Job) -> list[str]:
+    def head(self, job: MillingJob) -> list[str]:
         return [
             "%",
             f"O{job.number:04d} {self.comment(job.name)}",
@@ -121,7 +121,7 @@ class Fanuc(Post):
             f"S{job.speed:.0f} M3",
         ]
 
-    def foot(self, job: Job) -> list[str]:
+    def foot(self, job: MillingJob) -> list[str]:
         return ["M5", "M9", "M30", "%"]
 
 
@@ -136,7 +136,7 @@ class Siemens(Post):
     def comment(self, text: str) -> str:
         return f"; {nc(text)}"
 
-    def head(self, job: Job) -> list[str]:
+    def head(self, job: MillingJob) -> list[str]:
         return [
             self.comment(job.name),
             "G17 G54 G71 G40 G90 G94",
@@ -154,11 +154,11 @@ class Grbl(Post):
     compensates = False
     longest = 70
 
-    def head(self, job: Job) -> list[str]:
+    def head(self, job: MillingJob) -> list[str]:
         return [self.comment(job.name), "G17 G21 G90 G94 G54", "G40", f"S{job.speed:.0f} M3"]
 
 
-class _Writer:
+class _ModalWriter:
     """Modal words: what hasn't changed isn't written."""
 
     def __init__(self, decimals: int) -> None:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from linkwright.cam.disc import TURN, Disc
 from linkwright.cam.followers import dot
-from linkwright.cam.nc.reader import Fault, Move, read
+from linkwright.cam.nc.reader import Move, NCFault, read
 from linkwright.cam.nc.swept import NothingLeft, Swept, swept
 from linkwright.cam.nc.track import Tight
 from linkwright.cam.rolling import rolled, rolled_within
@@ -24,7 +24,7 @@ RAPID = 10_000.0
 
 
 @dataclass(frozen=True)
-class Proof:
+class NCProof:
     """What a file makes of a cam. Lifts in m or rad at ``theta`` (rad): ``error`` is made less wanted, (2, n): of the
     bottom and of the top of the cam, of a groove (4, n): of the inner flank's, then of the outer one's; ``rate``
     likewise of its derivative by theta, by differences over the angles' step. ``gouge`` and ``rest`` (m): how deep the
@@ -42,7 +42,7 @@ class Proof:
     length: float
     moves: tuple[Move, ...]
     contours: tuple[Array, ...]
-    faults: tuple[Fault, ...] = ()
+    faults: tuple[NCFault, ...] = ()
     depth: float = math.nan
     play: tuple[float, float] | None = None
 
@@ -52,7 +52,7 @@ class Proof:
         return float(np.abs(self.error).max()) if self.error.size else math.inf
 
 
-def prove(disc: Disc, text: str, cutter: float, angles: int = ANGLES, groove: bool = False) -> Proof:
+def prove(disc: Disc, text: str, cutter: float, angles: int = ANGLES, groove: bool = False) -> NCProof:
     """Read an NC file back for a cam, or for its ``groove``; ``cutter`` (m) is the radius of the cutter that mills."""
     found = read(text)
     faults, theta = list(found.faults), np.arange(angles) * TURN / angles
@@ -66,12 +66,12 @@ def prove(disc: Disc, text: str, cutter: float, angles: int = ANGLES, groove: bo
             faults += [_at("nc.stray", stray) for one in different for stray in _strays(disc, one, groove)]
             faults += [_at("nc.island", island) for island in lowest.islands if groove]
         except NothingLeft:
-            faults = [Fault("nc.nothing-left", 0)]
+            faults = [NCFault("nc.nothing-left", 0)]
         except Tight as tight:
-            faults = [Fault("nc.tight", tight.line)]
+            faults = [NCFault("nc.tight", tight.line)]
     if faults:
         none = np.empty((2, 0))
-        return Proof(theta, none, none, math.nan, math.nan, math.nan, math.nan, tuple(found.moves), (), tuple(faults))
+        return NCProof(theta, none, none, math.nan, math.nan, math.nan, math.nan, tuple(found.moves), (), tuple(faults))
     look = disc.look(theta)
     wanted = np.broadcast_to(look.lift.d[0], theta.shape)
     run = {-1: rolled, 1: rolled_within}
@@ -81,7 +81,7 @@ def prove(disc: Disc, text: str, cutter: float, angles: int = ANGLES, groove: bo
         rate = (np.roll(error, -1, axis=1) - np.roll(error, 1, axis=1)) / (2 * TURN / angles)
         play = np.abs(dot(look.along, look.arm).d[0]) * (error[2:] - error[:2]) if groove else None
     off = [sorted(-flank * _beyond(disc, contour, flank)) for flank, contour in flanks]
-    return Proof(
+    return NCProof(
         theta,
         error,
         rate,
@@ -96,8 +96,8 @@ def prove(disc: Disc, text: str, cutter: float, angles: int = ANGLES, groove: bo
     )
 
 
-def _at(key: str, place: Array) -> Fault:
-    return Fault(key, 0, {"x": f"{place[0]:.4g}", "y": f"{place[1]:.4g}"})
+def _at(key: str, place: Array) -> NCFault:
+    return NCFault(key, 0, {"x": f"{place[0]:.4g}", "y": f"{place[1]:.4g}"})
 
 
 def _strays(disc: Disc, one: Swept, groove: bool) -> Iterator[Array]:

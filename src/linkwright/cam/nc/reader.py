@@ -64,7 +64,7 @@ class Move:
 
 
 @dataclass(frozen=True)
-class Fault:
+class NCFault:
     """What a control would stop at, or do otherwise than meant: ``key`` and ``data`` say it, ``line`` where."""
 
     key: str
@@ -77,7 +77,7 @@ class Read:
     """The motions of a file, its faults; ``ended`` where it has M2 or M30."""
 
     moves: list[Move] = field(default_factory=list)
-    faults: list[Fault] = field(default_factory=list)
+    faults: list[NCFault] = field(default_factory=list)
     spindle: bool = False
     ended: bool = False
 
@@ -118,15 +118,15 @@ def read(text: str) -> Read:
         if not line or line == "%" or re.fullmatch(r"[O:]\d+", line):
             continue
         if made.ended:
-            made.faults.append(Fault("nc.after-end", number, {"text": line[:40]}))
+            made.faults.append(NCFault("nc.after-end", number, {"text": line[:40]}))
             break
         words = WORD.findall(line)
         if "".join(WORD.sub("", line).split()):
-            made.faults.append(Fault("nc.unreadable", number, {"text": line[:40]}))
+            made.faults.append(NCFault("nc.unreadable", number, {"text": line[:40]}))
             continue
         state = _block(made, state, number, [(letter.upper(), value) for letter, value in words])
     if not made.ended:
-        made.faults.append(Fault("nc.no-end", len(text.splitlines())))
+        made.faults.append(NCFault("nc.no-end", len(text.splitlines())))
     return made
 
 
@@ -145,7 +145,7 @@ def _block(made: Read, state: _State, number: int, words: list[tuple[str, str]])
             elif code in MOTIONS:
                 state = replace(state, motion=code)
             elif code not in SILENT:
-                made.faults.append(Fault("nc.unknown", number, {"word": f"G{code}"}))
+                made.faults.append(NCFault("nc.unknown", number, {"word": f"G{code}"}))
         elif letter == "M":
             code = _plain(value)
             if code in MACHINE:
@@ -154,13 +154,13 @@ def _block(made: Read, state: _State, number: int, words: list[tuple[str, str]])
             elif code in END:
                 made.ended = True
             elif code not in QUIET:
-                made.faults.append(Fault("nc.unknown", number, {"word": f"M{code}"}))
+                made.faults.append(NCFault("nc.unknown", number, {"word": f"M{code}"}))
         elif letter in values:
-            made.faults.append(Fault("nc.twice", number, {"word": letter}))
+            made.faults.append(NCFault("nc.twice", number, {"word": letter}))
         elif letter in "XYZIJKRFNSTHDPQ":
             values[letter] = float(value)
         else:
-            made.faults.append(Fault("nc.unknown", number, {"word": f"{letter}{value}"}))
+            made.faults.append(NCFault("nc.unknown", number, {"word": f"{letter}{value}"}))
     if "F" in values:
         state = replace(state, feed=values["F"] * (state.unit or 1.0))
     if values.keys() & set("XYZIJ"):
@@ -177,7 +177,7 @@ def _moved(made: Read, state: _State, number: int, values: dict[str, float]) -> 
             before = 0.0 if state.absolute else place[i] or 0.0
             place[i] = before + values[letter] * scale
     state, before_state = replace(state, place=(place[0], place[1], place[2])), state
-    made.faults += [Fault(key, number) for key in faults]
+    made.faults += [NCFault(key, number) for key in faults]
     if faults or None in before_state.place or None in state.place:
         return state
     start, end = before_state.place, state.place
@@ -211,9 +211,9 @@ def _unset(state: _State, values: dict[str, float]) -> Iterator[str]:
         yield "nc.centre-on-line"
 
 
-def _arc(move: Move, values: dict[str, float]) -> Iterator[Fault]:
+def _arc(move: Move, values: dict[str, float]) -> Iterator[NCFault]:
     assert move.centre is not None
     last = math.hypot(move.end[0] - move.centre[0], move.end[1] - move.centre[1])
     off = abs(last - move.radius)
     if move.radius == 0 or (off > MISMATCH[0] and off > MISMATCH[1] * move.radius):
-        yield Fault("nc.radius", move.line, {"start": f"{move.radius:.4f}", "end": f"{last:.4f}"})
+        yield NCFault("nc.radius", move.line, {"start": f"{move.radius:.4f}", "end": f"{last:.4f}"})

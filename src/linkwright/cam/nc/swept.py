@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.cam.nc.reader import Move
-from linkwright.cam.nc.track import Piece, Track, chains, pieces
+from linkwright.cam.nc.track import PieceTrack, TrackPiece, chains, pieces
 
 Array = NDArray[np.float64]
 
@@ -48,7 +48,7 @@ def levels(moves: Sequence[Move], top: float = 0.0) -> list[list[Move]]:
 class Swept:
     """What a cutter of radius ``cutter`` (mm) has gone over on its ``way``."""
 
-    way: tuple[Piece, ...]
+    way: tuple[TrackPiece, ...]
     cutter: float
 
     @cached_property
@@ -68,8 +68,8 @@ class Swept:
         return sorted(around, key=lambda one: one[1].length), others
 
     @cached_property
-    def _track(self) -> Track:
-        return Track(self.way, self.cutter)
+    def _track(self) -> PieceTrack:
+        return PieceTrack(self.way, self.cutter)
 
     @cached_property
     def inner(self) -> Array:

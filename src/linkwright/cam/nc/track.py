@@ -34,7 +34,7 @@ class Tight(ValueError):
         self.line = line
 
 
-class Piece(NamedTuple):
+class TrackPiece(NamedTuple):
     """A straight line, or an arc about its ``centre`` from the angle ``first`` on by ``sweep`` (rad, positive
     counter-clockwise); mm."""
 
@@ -70,15 +70,15 @@ class Piece(NamedTuple):
         return np.array(self.centre) + self.radius * np.stack([np.cos(angles), np.sin(angles)], axis=1)
 
 
-def pieces(moves: Iterable[Move], cutter: float) -> list[Piece]:
+def pieces(moves: Iterable[Move], cutter: float) -> list[TrackPiece]:
     """Where the centre of a cutter of radius ``cutter`` (mm) goes, beside the programmed way where that is compensated,
     with straight lines where it would jump; ways gone again, at whatever depth, are left out. Raises Tight."""
-    found: dict[Piece, None] = {}
-    before: tuple[Move, Piece] | None = None
+    found: dict[TrackPiece, None] = {}
+    before: tuple[Move, TrackPiece] | None = None
     for move in moves:
         piece = _piece(move, cutter)
         if before is not None and before[0].end == move.start and before[1].end != piece.start:
-            found[Piece(before[1].end, piece.start)] = None
+            found[TrackPiece(before[1].end, piece.start)] = None
         found[piece] = None
         before = move, piece
     still = {piece.start for piece in found if piece.centre is None and piece.start == piece.end}
@@ -86,12 +86,12 @@ def pieces(moves: Iterable[Move], cutter: float) -> list[Piece]:
     return [piece for piece in found if piece.start != piece.end or piece.centre or piece.start in still - touched]
 
 
-def _piece(move: Move, cutter: float) -> Piece:
+def _piece(move: Move, cutter: float) -> TrackPiece:
     (sx, sy, _), (ex, ey, _), aside = move.start, move.end, move.side * cutter
     if move.centre is None:
         length = math.hypot(ex - sx, ey - sy)
         nx, ny = (-aside * (ey - sy) / length, aside * (ex - sx) / length) if length and aside else (0.0, 0.0)
-        return Piece((sx + nx, sy + ny), (ex + nx, ey + ny))
+        return TrackPiece((sx + nx, sy + ny), (ex + nx, ey + ny))
     radius = move.radius - move.turn * aside
     if radius <= 0:
         raise Tight(move.line)
@@ -102,10 +102,10 @@ def _piece(move: Move, cutter: float) -> Piece:
         last = first + sweep
         start = cx + radius * math.cos(first), cy + radius * math.sin(first)
         end = cx + radius * math.cos(last), cy + radius * math.sin(last)
-    return Piece(start, end, move.centre, radius, first, sweep)
+    return TrackPiece(start, end, move.centre, radius, first, sweep)
 
 
-def chains(some: Iterable[Piece], fine: float) -> Iterator[Array]:
+def chains(some: Iterable[TrackPiece], fine: float) -> Iterator[Array]:
     """Connected pieces as lines of points (n, 2)."""
     line: list[Array] = []
     end: Point | None = None
@@ -119,10 +119,10 @@ def chains(some: Iterable[Piece], fine: float) -> Iterator[Array]:
         yield np.concatenate(line)
 
 
-class Track:
+class PieceTrack:
     """Pieces, of which the nearest are sought."""
 
-    def __init__(self, some: Sequence[Piece], far: float) -> None:
+    def __init__(self, some: Sequence[TrackPiece], far: float) -> None:
         """``far`` (mm) is about how far from them they are sought."""
         from scipy.spatial import KDTree
 

@@ -26,7 +26,7 @@ from linkwright.notation.planar import unit_vector
 
 if TYPE_CHECKING:
     from linkwright.elements.cam_contact.follower import CamFollower
-    from linkwright.elements.follower import Poses
+    from linkwright.elements.follower import PoseQuery
 
 
 def sense(geometry: FollowerGeometry, drive: CamFollower) -> int:
@@ -55,7 +55,7 @@ def tree(geometry: FollowerGeometry, drive: CamFollower, motor: Node) -> Node:
 
 
 @dataclass(frozen=True)
-class Seat:
+class CamPair:
     """The numbers of a cam pair (SI) at some parameters.
 
     ``shaft`` and ``pivot`` are points of the carrier; of a sliding follower ``pivot`` is the slide's point there and
@@ -101,7 +101,7 @@ class Seat:
         return self.level if self.faced else call("sqrt", self.level)
 
 
-def seat(geometry: FollowerGeometry, drive: CamFollower) -> Seat:
+def seat(geometry: FollowerGeometry, drive: CamFollower) -> CamPair:
     """The numbers of a cam pair."""
     cam, on = drive.cam, drive.on
     shaft = geometry.pinned(on, drive.shaft[1])
@@ -121,14 +121,14 @@ def seat(geometry: FollowerGeometry, drive: CamFollower) -> Seat:
             about = plain.point(drive.link, cam.touches).minus(plain.point(drive.link, drive.pivot[0]))
             reach, turn = call("sqrt", arm.dot(arm)), _angle(arm, about)
         back, none = _angle(home, far), Pair(0.0, 0.0)
-        return Seat(shaft, pivot, none, base, roller, reach, 0.0, back, back - turn, -drive.side, faced, True)
+        return CamPair(shaft, pivot, none, base, roller, reach, 0.0, back, back - turn, -drive.side, faced, True)
     assert drive.joint is not None
     (at, heading_on), (foot, heading_of) = (geometry.seat(drive.joint, link)[:2] for link in (on, drive.link))
     ahead, own = at.minus(shaft), touching.minus(foot)
     offset = -(ahead.dot(heading_on) + own.dot(heading_of))
     aside = -drive.side * (ahead.dot(heading_on.perp) + own.dot(heading_of.perp))
     way = Pair(drive.side * heading_on.x, drive.side * heading_on.y)
-    return Seat(shaft, at, way, base, roller, 0.0, aside, 0.0, offset, drive.side, faced, False)
+    return CamPair(shaft, at, way, base, roller, 0.0, aside, 0.0, offset, drive.side, faced, False)
 
 
 def _angle(vector: Pair, near: Pair) -> Scalar:
@@ -145,7 +145,7 @@ def slant(geometry: FollowerGeometry, drive: CamFollower) -> Scalar:
 
 
 @dataclass(frozen=True)
-class Touch:
+class ContactFeature:
     """What of a follower touches the cam, in its own axes: a roller's centre, an edge or a point of a face (m), and the
     face's direction."""
 
@@ -153,11 +153,11 @@ class Touch:
     face: Pair | None
 
 
-def touch(geometry: FollowerGeometry, drive: CamFollower) -> Touch:
+def touch(geometry: FollowerGeometry, drive: CamFollower) -> ContactFeature:
     """What of a follower touches."""
     face = drive.cam.face
     heading = unit_vector(geometry.number(face.angle, u.ANGLE)) if face is not None else None
-    return Touch(geometry.point(drive.link, drive.cam.touches), heading)
+    return ContactFeature(geometry.point(drive.link, drive.cam.touches), heading)
 
 
 def outward(drive: CamFollower, face: Pair) -> Pair:
@@ -166,7 +166,7 @@ def outward(drive: CamFollower, face: Pair) -> Pair:
 
 
 def contact(
-    poses: Poses, drive: CamFollower, rate: Scalar, what: Touch | None = None, pressure: str = "pressure"
+    poses: PoseQuery, drive: CamFollower, rate: Scalar, what: ContactFeature | None = None, pressure: str = "pressure"
 ) -> UnitEffort:
     """What 1 N along the common normal, from the cam to the follower, does: from the poses and the derivative of the
     follower's value by the cam's angle (m or 1); ``what`` of it touches, unless that of the drive.

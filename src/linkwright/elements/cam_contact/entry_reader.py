@@ -14,10 +14,10 @@ from linkwright.findings import Finding
 
 def read(m: Any, name: str, pins: Mapping[str, Any]) -> dict[str, Any] | list[Finding]:
     """What a cam's follower is made of, or what is wrong."""
-    return _Reader(m, name, pins).read()
+    return _EntryReader(m, name, pins).read()
 
 
-class _Reader:
+class _EntryReader:
     def __init__(self, m: Any, name: str, pins: Mapping[str, Any]) -> None:
         self.m, self.pins = m, pins
         self.cam: Cam = m.cams[name]

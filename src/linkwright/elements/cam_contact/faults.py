@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from linkwright.elements.cam_contact.contact import Seat, seat, slant
+from linkwright.elements.cam_contact.contact import CamPair, seat, slant
 from linkwright.elements.cam_contact.second import largest, other_side, rest, room, second_seat, sums
-from linkwright.elements.follower import Followed, FollowerGeometry
+from linkwright.elements.follower import FollowedMotion, FollowerGeometry
 from linkwright.expressions import units as u
 from linkwright.expressions.typed_fields import Path
 from linkwright.findings import Finding
@@ -47,7 +47,7 @@ def not_whole(quantities: Any, law: str, motion: Motion, path: Path) -> Iterator
         yield Finding("cam.period", path, {"law": law, "period": period, "unit": unit}), wrong
 
 
-def loose(run: Followed, path: Path, drive: CamFollower) -> Iterator[Finding]:
+def loose(run: FollowedMotion, path: Path, drive: CamFollower) -> Iterator[Finding]:
     """A warning on a yoke with play, in which the second contact would bear elsewhere."""
     spans = sums(run.motions[drive.cam.law]) if drive.cam.closed == "yoke" else np.zeros(1)
     if (play := float(np.ptp(spans))) > CLOSE * np.abs(spans).max():
@@ -77,7 +77,7 @@ def _askew(quantities: Any, geometry: FollowerGeometry, path: Path, drive: CamFo
         yield Finding("cam.askew", (*path, "face"), {"angle": f"{askew / size:.6g}", "unit": unit})
 
 
-def _reach(quantities: Any, path: Path, drive: CamFollower, here: Seat) -> Iterator[Finding]:
+def _reach(quantities: Any, path: Path, drive: CamFollower, here: CamPair) -> Iterator[Finding]:
     """A follower that doesn't reach the base circle; what has no value is told by itself."""
     if np.isnan(here.level):
         return

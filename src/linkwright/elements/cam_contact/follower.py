@@ -13,17 +13,17 @@ from linkwright.elements.cam_contact.entry_reader import read
 from linkwright.elements.cam_contact.faults import faults, loose, not_whole
 from linkwright.elements.cam_contact.second import largest, other_side, second
 from linkwright.elements.follower import (
-    Followed,
+    FollowedMotion,
     Follower,
     FollowerGeometry,
     FollowerReports,
     Motions,
-    Poses,
+    PoseQuery,
     Riding,
     UnitEffort,
     register_follower,
 )
-from linkwright.elements.force import Chart
+from linkwright.elements.force import SignalChart
 from linkwright.elements.joint import Applied
 from linkwright.expressions import units as u
 from linkwright.expressions.language import Call, Node
@@ -82,8 +82,11 @@ class CamFollower(Follower):
         return {"pressure": u.ANGLE, **({"pressure_second": u.ANGLE} if self.paired else {})}
 
     @property
-    def charts(self) -> Sequence[Chart]:
-        return [Chart("contact", "force", self.effort), *(Chart("pressure", "force", angle) for angle in self.extra)]
+    def charts(self) -> Sequence[SignalChart]:
+        return [
+            SignalChart("contact", "force", self.effort),
+            *(SignalChart("pressure", "force", angle) for angle in self.extra),
+        ]
 
     @property
     def pressures(self) -> Sequence[str]:
@@ -105,10 +108,10 @@ class CamFollower(Follower):
 
         return Riding(value, largest(self, motion) if self.derived else 0.0)
 
-    def acting(self, name: str, poses: Poses, ratio: Scalar) -> UnitEffort:
+    def acting(self, name: str, poses: PoseQuery, ratio: Scalar) -> UnitEffort:
         return contacts.contact(poses, self, ratio)
 
-    def second(self, name: str, poses: Poses, ratio: Scalar, total: Scalar) -> UnitEffort | None:
+    def second(self, name: str, poses: PoseQuery, ratio: Scalar, total: Scalar) -> UnitEffort | None:
         if not self.paired:
             return None
         what = second(poses.geometry, self, total)
@@ -130,7 +133,7 @@ class CamFollower(Follower):
     def law_faults(self, quantities: Any, law: str, motion: Motion, path: Path) -> Iterator[tuple[Finding, Any]]:
         return not_whole(quantities, law, motion, path)
 
-    def findings(self, run: Followed, path: Path) -> Iterator[Finding]:
+    def findings(self, run: FollowedMotion, path: Path) -> Iterator[Finding]:
         return loose(run, path, self)
 
     def applied(self, reports: FollowerReports, name: str) -> list[Applied]:

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.elements.cam_contact.contact import Seat, Touch, outward, seat, touch
+from linkwright.elements.cam_contact.contact import CamPair, ContactFeature, outward, seat, touch
 from linkwright.expressions import units as u
 from linkwright.laws import Motion
 from linkwright.notation import Pair, Scalar
@@ -39,7 +39,7 @@ def other_side(drive: CamFollower) -> CamFollower:
     return replace(drive, entry=cam.model_copy(update=change), side=-drive.side)
 
 
-def second(geometry: FollowerGeometry, drive: CamFollower, total: Scalar) -> Touch:
+def second(geometry: FollowerGeometry, drive: CamFollower, total: Scalar) -> ContactFeature:
     """What touches on the other side; ``total`` (rad or m) is the largest lift, or of a yoke the largest sum of two
     lifts half a turn apart."""
     other = other_side(drive)
@@ -52,18 +52,18 @@ def second(geometry: FollowerGeometry, drive: CamFollower, total: Scalar) -> Tou
         own = geometry.point(drive.link, drive.pivot[0])
         turn = unit_vector(-here.sign * between)
         if first.face is None:
-            return Touch(_plus(own, first.at.minus(own).turned(turn)), None)
+            return ContactFeature(_plus(own, first.at.minus(own).turned(turn)), None)
         face = first.face.turned(turn)
-        return Touch(_plus(own, outward(other, face), here.reach), face)
+        return ContactFeature(_plus(own, outward(other, face), here.reach), face)
     assert drive.joint is not None
     heading = geometry.line(drive.joint, drive.link)[1]
     at = _plus(first.at, heading, -here.sign * between)
     if drive.cam.closed == "yoke":  # its rollers lie opposite each other about the shaft
         at = _plus(at, heading.perp, 2 * here.sign * here.aside)
-    return Touch(at, first.face)
+    return ContactFeature(at, first.face)
 
 
-def second_seat(geometry: FollowerGeometry, drive: CamFollower) -> Seat:
+def second_seat(geometry: FollowerGeometry, drive: CamFollower) -> CamPair:
     """The numbers of the second contact; ``base`` is that of its disc only where its place isn't stated."""
     if not drive.derived:
         return seat(geometry, other_side(drive))

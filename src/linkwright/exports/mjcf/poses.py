@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.exports.mjcf.tree import Hold, Tree
+from linkwright.exports.mjcf.tree import Hold, JointTree
 from linkwright.kernels import Compiled
 from linkwright.results import Run
 from linkwright.structure import FRAME
@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class Motor:
+class TreeDrive:
     """A drive on a joint of the tree; ``sign`` times its value is the joint's coordinate."""
 
     drive: str
@@ -26,7 +26,7 @@ class Motor:
     sign: int
 
 
-def motors(compiled: Compiled, tree: Tree) -> list[Motor]:
+def motors(compiled: Compiled, tree: JointTree) -> list[TreeDrive]:
     """The drives on their joints."""
     topology, found = compiled.structure.topology, []
     for name, drive in compiled.mechanism.movers.items():
@@ -35,11 +35,11 @@ def motors(compiled: Compiled, tree: Tree) -> list[Motor]:
         assert hold is not None
         # A slide's coordinate is its travel, from the first link's point to the second's.
         ahead = hold.child == drive.link if hold.turns else c.b == drive.link
-        found.append(Motor(name, hold, 1 if ahead else -1))
+        found.append(TreeDrive(name, hold, 1 if ahead else -1))
     return found
 
 
-def coordinates(run: Run, holds: Sequence[Hold], driven: Sequence[Motor], t: Array) -> tuple[Array, Array]:
+def coordinates(run: Run, holds: Sequence[Hold], driven: Sequence[TreeDrive], t: Array) -> tuple[Array, Array]:
     """Each joint's coordinate and rate at times ``t``, (joints, times), rad and rad/s or m and m/s.
 
     Of a pin it is the child's angle less the parent's, of a slide its travel. Angles are continuous; they start in
@@ -56,7 +56,7 @@ def coordinates(run: Run, holds: Sequence[Hold], driven: Sequence[Motor], t: Arr
     return q[:, 1:], v[:, 1:]
 
 
-def _parts(hold: Hold, driven: Sequence[Motor]) -> Mapping[str, int]:
+def _parts(hold: Hold, driven: Sequence[TreeDrive]) -> Mapping[str, int]:
     """The signals whose sum is a joint's coordinate, each with its sign."""
     if not hold.turns:
         return {f"{hold.joint}.s": 1}

@@ -13,7 +13,7 @@ from linkwright.elements.entries import NOUNS
 from linkwright.exports.followed import duration, followed
 from linkwright.exports.joints import unwritten
 from linkwright.exports.mjcf.masses import written_masses
-from linkwright.exports.mjcf.poses import Motor, coordinates, motors
+from linkwright.exports.mjcf.poses import TreeDrive, coordinates, motors
 from linkwright.exports.mjcf.proof import missed
 from linkwright.exports.mjcf.tree import Hold, spanning
 from linkwright.exports.mjcf.write import Start, Writer
@@ -26,7 +26,7 @@ from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model.csv_text import cell, head, written
 from linkwright.model.mechanism import FOLLOWING
-from linkwright.studies import Site
+from linkwright.studies import RunContext
 from linkwright.words import say
 
 Array = NDArray[np.float64]
@@ -70,7 +70,7 @@ class Mjcf:
             findings.append(Finding("export.cannot-close-slides", ("exports", self.name), data))
         return findings
 
-    def export(self, compiled: Compiled, options: MjcfOptions, site: Site) -> Exported:
+    def export(self, compiled: Compiled, options: MjcfOptions, site: RunContext) -> Exported:
         """The model, proven over the motion."""
         stop, findings = duration(compiled, site.document, self.name, options.duration)
         run, kept = followed(compiled, site.document, stop or INSTANT, options.samples)
@@ -130,7 +130,7 @@ def _left_out(compiled: Compiled) -> list[Finding]:
     ]
 
 
-def _table(holds: Sequence[Hold], driven: Sequence[Motor], t: Array, q: Array, controls: Array) -> str:
+def _table(holds: Sequence[Hold], driven: Sequence[TreeDrive], t: Array, q: Array, controls: Array) -> str:
     """The joints' coordinates and the actuators' controls over the motion."""
     heads = [head("t", "s"), *(head(hold.name, "rad" if hold.turns else "m") for hold in holds)]
     heads += [head(f"ctrl {m.drive}", "rad" if m.hold.turns else "m") for m in driven]

@@ -23,7 +23,7 @@ class Hold:
 
 
 @dataclass(frozen=True)
-class Tree:
+class JointTree:
     """The joints in depth-first order, and the pins at which loops are cut: (name, pin, link, link)."""
 
     holds: tuple[Hold, ...]
@@ -63,7 +63,7 @@ def needed(topology: Topology) -> list[Connection]:
     return list(dict.fromkeys([*slides, *acting]))
 
 
-def spanning(topology: Topology) -> Tree:
+def spanning(topology: Topology) -> JointTree:
     """The tree with the joints that it needs, else as shallow as the order of links lets it be."""
     musts, sets = needed(topology), _Sets()
     for c in musts:
@@ -80,7 +80,7 @@ def spanning(topology: Topology) -> Tree:
                 seen.add(other)
                 queue.append(other)
     chosen = list(_deep(held, FRAME))
-    return Tree(tuple(_named(chosen)), tuple(_named(_cuts(topology, [c for c, _ in chosen]))))
+    return JointTree(tuple(_named(chosen)), tuple(_named(_cuts(topology, [c for c, _ in chosen]))))
 
 
 def _deep(held: dict[str, list[Connection]], link: str) -> Iterable[tuple[Connection, str]]:

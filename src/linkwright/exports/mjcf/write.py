@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.exports.mjcf.masses import Mass
-from linkwright.exports.mjcf.poses import Motor
-from linkwright.exports.mjcf.tree import Hold, Tree
+from linkwright.exports.mjcf.poses import TreeDrive
+from linkwright.exports.mjcf.tree import Hold, JointTree
 from linkwright.graph.geometry import Geometry, extent
 from linkwright.kernels import Compiled
 from linkwright.notation import Pair
@@ -57,7 +57,7 @@ class Writer:
     """Writes one mechanism."""
 
     def __init__(
-        self, compiled: Compiled, tree: Tree, driven: Sequence[Motor], masses: Mapping[str, Mass], start: Start
+        self, compiled: Compiled, tree: JointTree, driven: Sequence[TreeDrive], masses: Mapping[str, Mass], start: Start
     ) -> None:
         self.compiled, self.tree, self.driven, self.masses, self.start = compiled, tree, driven, masses, start
         assert compiled.assembly.start is not None

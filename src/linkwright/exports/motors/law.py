@@ -6,7 +6,7 @@ from pathlib import Path
 
 from linkwright.expressions import units as u
 from linkwright.expressions.language import Binary, Call, Name, Node, Number, nodes
-from linkwright.formulas.functions import Function, OfMotion, OfTable
+from linkwright.formulas.functions import OfMotion, OfTable, PiecewiseFunction
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import read_table
@@ -29,9 +29,11 @@ def law_of(compiled: Compiled, drive: str) -> Node | None:
     return total
 
 
-def functions(compiled: Compiled, law: Node, folder: Path | None) -> dict[str, Function]:
+def functions(compiled: Compiled, law: Node, folder: Path | None) -> dict[str, PiecewiseFunction]:
     """The tables and motion laws that a drive's law calls. Raises :class:`ModelError` where a file can't be read."""
     names = {node.name for node in nodes(law) if isinstance(node, Call)}
     tables = [name for name in compiled.mechanism.tables if name in names]
-    found: dict[str, Function] = {name: OfTable(read_table(compiled.quantities, name, folder)) for name in tables}
+    found: dict[str, PiecewiseFunction] = {
+        name: OfTable(read_table(compiled.quantities, name, folder)) for name in tables
+    }
     return found | {name: OfMotion(motion) for name, motion in compiled.motions.items() if name in names}

@@ -16,10 +16,10 @@ from linkwright.expressions.fields import Expression, Frozen
 from linkwright.expressions.typed_fields import Quantity
 from linkwright.expressions.units import TIME
 from linkwright.findings import Finding
-from linkwright.formulas.motor import Motor, motor, unit_of
-from linkwright.formulas.pieces import MOST, Piece, TooManyError, Unfolding
+from linkwright.formulas.motor import MotorProgram, motor, unit_of
+from linkwright.formulas.pieces import MOST, FormulaPiece, TooManyError, Unfolding
 from linkwright.kernels import Compiled
-from linkwright.studies import Site
+from linkwright.studies import RunContext
 from linkwright.words import say
 
 PROVEN = 1e-9
@@ -48,13 +48,13 @@ class MotorExpressions:
         """A duration without a value."""
         return duration(compiled, None, self.name, options.duration)[1]
 
-    def export(self, compiled: Compiled, options: MotorOptions, site: Site) -> Exported:
+    def export(self, compiled: Compiled, options: MotorOptions, site: RunContext) -> Exported:
         """The texts, each held to its drive's law."""
         stop, findings = duration(compiled, site.document, self.name, options.duration)
         if stop is None:
             return Exported(failures=findings or [Finding("export.no-duration", data={"export": self.name})])
         t = np.linspace(0.0, stop, options.samples + 1)
-        table, motors, warnings = values(compiled, t), dict[str, Motor](), list[Finding]()
+        table, motors, warnings = values(compiled, t), dict[str, MotorProgram](), list[Finding]()
         for drive in compiled.mechanism.movers:
             if (law := law_of(compiled, drive)) is None:
                 warnings.append(
@@ -91,17 +91,17 @@ class MotorExpressions:
         return Exported(files, summary, told, [], warnings)
 
 
-def _motor(compiled: Compiled, drive: str, pieces: Sequence[Piece], dialect: str, stop: float) -> Motor:
+def _motor(compiled: Compiled, drive: str, pieces: Sequence[FormulaPiece], dialect: str, stop: float) -> MotorProgram:
     unit, motion = unit_of(compiled.quantities, compiled.quantities.drive_dimension(drive)), compiled.laws[drive]
     return motor(pieces, unit, lambda t: motion(t).d[0], dialect, stop)
 
 
-def _summary(made: Motor) -> dict[str, object]:
+def _summary(made: MotorProgram) -> dict[str, object]:
     pieces = [{"domain": domain, "text": row.text} for domain, row in zip(made.domains, made.rows, strict=True)]
     return {"unit": made.unit, "pieces": pieces, "max_error": made.error}
 
 
-def _unproven(compiled: Compiled, motors: dict[str, Motor], t: np.typing.NDArray[np.float64]) -> list[Finding]:
+def _unproven(compiled: Compiled, motors: dict[str, MotorProgram], t: np.typing.NDArray[np.float64]) -> list[Finding]:
     """A failure for each drive whose text isn't its law."""
     found = []
     for drive, made in motors.items():

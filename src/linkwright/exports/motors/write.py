@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.formulas.motor import Motor, unit_of
+from linkwright.formulas.motor import MotorProgram, unit_of
 from linkwright.formulas.terms import number
 from linkwright.kernels import Compiled
 from linkwright.model.csv_text import cell, head, written
@@ -16,7 +16,7 @@ from linkwright.words import say
 Array = NDArray[np.float64]
 
 
-def sheet(compiled: Compiled, motors: Mapping[str, Motor], dialect: str, stop: float) -> str:
+def sheet(compiled: Compiled, motors: Mapping[str, MotorProgram], dialect: str, stop: float) -> str:
     """All motors, by their drives, to be read: each line a domain and its expression."""
     name = compiled.mechanism.title
     lines = [say("motors.title", name=name), say("motors.time", stop=number(stop)), say(f"motors.dialect.{dialect}")]
@@ -28,7 +28,7 @@ def sheet(compiled: Compiled, motors: Mapping[str, Motor], dialect: str, stop: f
     return "\n".join(lines) + "\n"
 
 
-def expressions(motors: Mapping[str, Motor]) -> str:
+def expressions(motors: Mapping[str, MotorProgram]) -> str:
     """All pieces as a table; a blank keeps a spreadsheet from computing what begins with a sign."""
     rows = (
         [drive, m.unit, r.start, r.stop, " " * (r.text[0] in "+-") + r.text]

@@ -10,10 +10,10 @@ from linkwright.exports.process_simulate.joints import ToolJoint, driving
 from linkwright.exports.process_simulate.linkage import MM, Linkage, Refused, shared_pin, wedge
 from linkwright.exports.process_simulate.trees import Array, Tree, multiply, number
 from linkwright.graph.geometry import Geometry
-from linkwright.structure import Cluster, Driven, Group, Structure, Wedge
+from linkwright.structure import Driven, Group, HigherGroup, Structure, Wedge
 
-Fit = Callable[[Linkage, Cluster], None]
-"""Gives the joints of a cluster functions of another kind."""
+Fit = Callable[[Linkage, HigherGroup], None]
+"""Gives the joints of a higher group functions of another kind."""
 
 
 def linkage(

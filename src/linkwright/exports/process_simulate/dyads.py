@@ -23,7 +23,7 @@ STRAIGHT = 1e-12
 
 
 @dataclass(frozen=True)
-class Side:
+class DyadSide:
     """One side: the known ``base``, the link ``end`` on it by the joint ``outer``, and the link ``meeting`` the other
     side."""
 
@@ -98,7 +98,7 @@ class Rule:
 
     signature: ClassVar[str]
 
-    def apply(self, links: Linkage, dialect: Dialect, group: Group, first: Side, second: Side) -> None:
+    def apply(self, links: Linkage, dialect: Dialect, group: Group, first: DyadSide, second: DyadSide) -> None:
         """Place the links, and give the joints their functions."""
         raise NotImplementedError
 
@@ -115,7 +115,7 @@ def register(cls: type[Rule]) -> type[Rule]:
 def solve(links: Linkage, dialect: Dialect, group: Group) -> None:
     """The functions of a dyad's joints."""
     first, second = (
-        Side(links, base, side[0], side[-1], outer, chain)
+        DyadSide(links, base, side[0], side[-1], outer, chain)
         for base, side, outer, chain in zip(group.bases, group.sides, group.outer, group.chains, strict=True)
     )
     for side in (first, second):
@@ -130,7 +130,7 @@ class RRR(Rule):
 
     signature = "RRR"
 
-    def apply(self, links: Linkage, dialect: Dialect, group: Group, first: Side, second: Side) -> None:
+    def apply(self, links: Linkage, dialect: Dialect, group: Group, first: DyadSide, second: DyadSide) -> None:
         sides, branch = (first, second), links.branches[group]
         arms = tuple(side.arm(links.pin(group.inner, side.meeting)) for side in sides)
         base = second.start.minus(first.start)
@@ -168,7 +168,7 @@ class RRP(Rule):
 
     signature = "RRP"
 
-    def apply(self, links: Linkage, dialect: Dialect, group: Group, first: Side, second: Side) -> None:
+    def apply(self, links: Linkage, dialect: Dialect, group: Group, first: DyadSide, second: DyadSide) -> None:
         branch, symbols, line = links.branches[group], links.symbols, second.line
         arm = first.arm(links.pin(group.inner, first.meeting))
         offset = second.arm(links.pin(group.inner, second.meeting)).turned(links.angles[second.end])
@@ -187,7 +187,7 @@ class RPR(Rule):
 
     signature = "RPR"
 
-    def apply(self, links: Linkage, dialect: Dialect, group: Group, first: Side, second: Side) -> None:
+    def apply(self, links: Linkage, dialect: Dialect, group: Group, first: DyadSide, second: DyadSide) -> None:
         branch, symbols, sides = links.branches[group], links.symbols, (first, second)
         base = second.start.minus(first.start)
         ends = [links.line(group.inner, side.meeting) for side in sides]
@@ -220,7 +220,7 @@ class PRP(Rule):
 
     signature = "PRP"
 
-    def apply(self, links: Linkage, dialect: Dialect, group: Group, first: Side, second: Side) -> None:
+    def apply(self, links: Linkage, dialect: Dialect, group: Group, first: DyadSide, second: DyadSide) -> None:
         symbols, lines, starts = links.symbols, (first.line, second.line), []
         for side in (first, second):
             offset = side.arm(links.pin(group.inner, side.meeting)).turned(links.angles[side.end])
@@ -236,7 +236,7 @@ class RPP(Rule):
 
     signature = "RPP"
 
-    def apply(self, links: Linkage, dialect: Dialect, group: Group, first: Side, second: Side) -> None:
+    def apply(self, links: Linkage, dialect: Dialect, group: Group, first: DyadSide, second: DyadSide) -> None:
         symbols, line = links.symbols, second.line
         (here, own), (there, heading) = (links.line(group.inner, side.meeting) for side in (first, second))
         inner = links.angles[second.meeting].turned(heading)

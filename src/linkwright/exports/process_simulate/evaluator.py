@@ -59,7 +59,7 @@ def read(text: str, dialect: str, joints: Mapping[str, str]) -> Value:
 
     Raises :class:`NotInDialect` for whatever the dialect doesn't have.
     """
-    reader = _Reader(text, GRAMMARS[dialect], joints)
+    reader = _FormulaParser(text, GRAMMARS[dialect], joints)
     value = reader.sum()
     if reader.here[0]:
         raise reader.fault("the end")
@@ -77,7 +77,7 @@ def evaluate(texts: Sequence[tuple[str, str]], dialect: str, joints: Mapping[str
     return np.array([values[name] for name, _ in texts]).reshape(len(texts), at.size)
 
 
-class _Reader:
+class _FormulaParser:
     def __init__(self, text: str, grammar: Grammar, joints: Mapping[str, str]) -> None:
         self.text, self.grammar, self.joints = text, grammar, joints
         self.tokens = [(m.group(m.lastindex or 0), m.start(m.lastindex or 0)) for m in _TOKEN.finditer(text)]

@@ -20,7 +20,7 @@ from linkwright.expressions.typed_fields import Ref
 from linkwright.expressions.unknown import near
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
-from linkwright.kernels.law import Law
+from linkwright.kernels.law import DriveLaw
 from linkwright.kernels.laws import uniform, values_at
 from linkwright.model.references import option_faults
 from linkwright.presentation.json_numbers import known
@@ -186,8 +186,8 @@ def panel_of(compiled: Compiled, options: Facts) -> str:
 def resting(compiled: Compiled, drive: str) -> Compiled:
     """The mechanism at rest in poses: at time t its drive stands at its start value plus t, all others at theirs."""
 
-    def law(start: float, moves: bool) -> Law:
-        return Law(lambda t, p, strict: uniform(t, start + t * moves, 0.0), {})
+    def law(start: float, moves: bool) -> DriveLaw:
+        return DriveLaw(lambda t, p, strict: uniform(t, start + t * moves, 0.0), {})
 
     return replace(compiled, laws={n: law(v, n == drive) for n, v in values_at(compiled.laws, 0.0).items()})
 
@@ -199,7 +199,7 @@ def hand_force(compiled: Compiled, drive: str, handle: str, t: Array) -> Array |
     where the handle stands still."""
     m = compiled.mechanism
     forces = any(one.kind.acts for one in m.acting()) or (m.gravity is not None and any(map(m.has_mass, m.links)))
-    if not forces or compiled.graph.actions.timed or compiled.structure.clusters:
+    if not forces or compiled.graph.actions.timed or compiled.structure.higher_groups:
         return None
     entry = m.movers[drive]
     moving = sweeping(compiled, drive)
@@ -214,7 +214,7 @@ def spring_forces(compiled: Compiled, drive: str, t: Array) -> dict[str, Array]:
     """The tension (N) of each spring between points, at rest; of gas springs the push. ``t`` as for the hand."""
     every = ((one.name, one.kind.pull(one.entry)) for one in compiled.mechanism.acting())
     pulls = {name: pull for name, pull in every if pull is not None}
-    if not pulls or compiled.structure.clusters:
+    if not pulls or compiled.structure.higher_groups:
         return {}
     rows = resting(compiled, drive).evaluate([f"{name}.{attribute}" for name, (attribute, _) in pulls.items()], t)
     return {name: sign * row for (name, (_, sign)), row in zip(pulls.items(), rows, strict=True)}

@@ -10,7 +10,7 @@ from numpy.polynomial import chebyshev
 from linkwright.exports.process_simulate.joints import ToolJoint
 from linkwright.exports.process_simulate.linkage import Linkage
 from linkwright.exports.process_simulate.trees import Array, Tree, add, joint, multiply, number
-from linkwright.structure import Cluster
+from linkwright.structure import HigherGroup
 
 MOST = 20
 """The highest degree: beyond, powers lose more digits than they add."""
@@ -42,13 +42,14 @@ def horner(coefficients: Array, variable: Tree) -> Tree:
     return total
 
 
-def fit(links: Linkage, cluster: Cluster, drive: ToolJoint, moved: Moved, tolerance: float) -> int:
-    """Give the joints of a cluster polynomials, within a tolerance (rad or mm) if that can be: the highest degree."""
+def fit(links: Linkage, higher_group: HigherGroup, drive: ToolJoint, moved: Moved, tolerance: float) -> int:
+    """Give the joints of a higher group polynomials, within a tolerance (rad or mm) if that can be: the highest
+    degree."""
     x, degree = links.poses, 0
     low, high = float(x.min()), float(x.max())
     variable = add(joint(drive.kind, drive.joint), number(-(low + high) / 2))
     variable = multiply(number(2 / (high - low)), variable)
-    around = {*cluster.links, *(link for c in cluster.joints for link in (c.a, c.b))}
+    around = {*higher_group.links, *(link for c in higher_group.joints for link in (c.a, c.b))}
     for found in links.joints:
         if found.joint in links.at_zero or not {found.parent, found.child} <= around:
             continue
@@ -57,13 +58,13 @@ def fit(links: Linkage, cluster: Cluster, drive: ToolJoint, moved: Moved, tolera
         degree = max(degree, len(coefficients) - 1)
         links.settle(found, horner(coefficients, variable))
         links.at_zero[found.joint] = at_zero
-    _place(links, cluster)
+    _place(links, higher_group)
     return degree
 
 
-def _place(links: Linkage, cluster: Cluster) -> None:
+def _place(links: Linkage, higher_group: HigherGroup) -> None:
     """Put the links on one another by joints that are known now."""
-    for edge in cluster.edges:
+    for edge in higher_group.edges:
         links.sit(edge.joint, edge.base, edge.link)
         for found in links.joints:
             known = found.kind == "T" and found.child == edge.link and found.parent in links.angles

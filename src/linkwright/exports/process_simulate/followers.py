@@ -13,15 +13,15 @@ import numpy as np
 from linkwright.exports.followed_laws import Ridden, ridden
 from linkwright.exports.process_simulate.fitting import horner, polynomial
 from linkwright.exports.process_simulate.linkage import MM
-from linkwright.exports.process_simulate.motion import Motion
+from linkwright.exports.process_simulate.motion import ToolMotion
 from linkwright.exports.process_simulate.trees import Tree, add, call, joint, multiply, number
-from linkwright.laws.pieces import Part, Piece
+from linkwright.laws.pieces import Piece, SmoothPart
 
 FITTED, HALVED, SAMPLES = 1e-10, 6, 64
 """A formula of the file's own becomes polynomials within this (rad or mm): times it is halved, places of each part."""
 
 
-def followers(motion: Motion) -> dict[str, Tree]:
+def followers(motion: ToolMotion) -> dict[str, Tree]:
     """The value of each follower (rad or mm, its own whole turns kept) from the driving joint's."""
     every = ((name, ridden(motion.compiled, name)) for name in motion.compiled.mechanism.followers)
     return {name: _Follower(motion, name, how).tree() for name, how in every if how is not None}
@@ -36,7 +36,7 @@ class _Term:
 
 
 class _Follower:
-    def __init__(self, motion: Motion, name: str, how: Ridden) -> None:
+    def __init__(self, motion: ToolMotion, name: str, how: Ridden) -> None:
         unit = 1.0 if motion.compiled.mechanism.followers[name].turning else MM
         self.scale, self.base = how.scale * unit, how.base * unit
         self.law = motion.compiled.motions[how.law]
@@ -70,7 +70,7 @@ class _Follower:
                 if start < high and stop > low:
                     yield from self.formulas(part, turn * period)
 
-    def formulas(self, part: Part, shift: float) -> Iterator[_Term]:
+    def formulas(self, part: SmoothPart, shift: float) -> Iterator[_Term]:
         """One piece, ``shift`` (rad) later in the law."""
         if isinstance(part, Piece):
             yield _Term(self.start(part.start + shift, part.stop + shift), self.piece(part, shift))
@@ -102,7 +102,7 @@ class _Follower:
 
 
 def _fitted(
-    part: Part, start: float, stop: float, tolerance: float, depth: int = 0
+    part: SmoothPart, start: float, stop: float, tolerance: float, depth: int = 0
 ) -> Iterator[tuple[float, float, np.typing.NDArray[np.float64]]]:
     """Polynomials in -1..1 over parts of a stretch, by rising power, within a tolerance (as the law has its values)."""
     x = (start + stop) / 2 - (stop - start) / 2 * np.cos(np.linspace(0, pi, SAMPLES + 1))

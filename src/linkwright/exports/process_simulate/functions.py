@@ -18,7 +18,7 @@ from linkwright.exports.process_simulate.joints import ToolJoint, driving, joint
 from linkwright.exports.process_simulate.linkage import MM, Linkage, Refused, shared_pin
 from linkwright.exports.process_simulate.masters import mastered
 from linkwright.exports.process_simulate.mirror import Mirror
-from linkwright.exports.process_simulate.motion import Motion
+from linkwright.exports.process_simulate.motion import ToolMotion
 from linkwright.exports.process_simulate.printer import text
 from linkwright.exports.process_simulate.reach import reach
 from linkwright.exports.process_simulate.splitting import least, split
@@ -28,7 +28,7 @@ from linkwright.findings import Finding
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
-from linkwright.structure import Cluster
+from linkwright.structure import HigherGroup
 
 DESIGNED, PROVEN = 720, 2000
 """Steps over the range when functions are made, and when they are proven."""
@@ -87,7 +87,7 @@ class JointFunctions:
     range: tuple[float, float]
     max_error: float
     zero: float
-    motion: Motion
+    motion: ToolMotion
     fitted: bool = False
     warnings: tuple[Finding, ...] = ()
     follower: str | None = None
@@ -129,9 +129,9 @@ def make(compiled: Compiled, wish: Wish) -> JointFunctions:
 
 def _both(
     mirror: Mirror,
-    make_side: Callable[[list[ToolJoint], Motion], JointFunctions],
+    make_side: Callable[[list[ToolJoint], ToolMotion], JointFunctions],
     joints: list[ToolJoint],
-    motion: Motion,
+    motion: ToolMotion,
 ) -> JointFunctions:
     """The functions of two hinges: those of each in its own joints; the second one's driving joint follows the first
     one's."""
@@ -161,22 +161,22 @@ def _limited(count: int) -> None:
         raise Refused(Finding("functions.too-many", PATH, {"count": count, "limit": MOST}))
 
 
-def _made(compiled: Compiled, wish: Wish, joints: list[ToolJoint], motion: Motion) -> JointFunctions:
+def _made(compiled: Compiled, wish: Wish, joints: list[ToolJoint], motion: ToolMotion) -> JointFunctions:
     if wish.approximate is None:
         links, fits = _links(compiled, wish, joints, motion, OFFERED)
         if not fits:
-            return _Writer(compiled, wish, links, motion, fitted=False).written()
-        found = _Writer(compiled, replace(wish, longest=None), links, motion, fitted=True).written()
+            return _TextSearch(compiled, wish, links, motion, fitted=False).written()
+        found = _TextSearch(compiled, replace(wish, longest=None), links, motion, fitted=True).written()
         raise Refused(_no_closed_form(fits, found.max_error, wish.drive))
     for tighter in range(TIGHTER):  # joints that follow as sums of others add up their errors
         links, fits = _links(compiled, wish, joints, motion, wish.approximate / 8**tighter)
-        found = _Writer(compiled, wish, links, motion, bool(fits)).written()
+        found = _TextSearch(compiled, wish, links, motion, bool(fits)).written()
         if not fits or found.max_error <= wish.approximate:
             return found
     raise Refused(_no_closed_form(fits, found.max_error, wish.drive))
 
 
-def _motion(compiled: Compiled, wish: Wish, joints: list[ToolJoint]) -> tuple[Motion, list[Finding]]:
+def _motion(compiled: Compiled, wish: Wish, joints: list[ToolJoint]) -> tuple[ToolMotion, list[Finding]]:
     """The motion over the range, with the tool's driving joint, and warnings on it."""
     of, moved, on = driving(compiled.structure, wish.drive)
     joint = next((j for j in joints if j.of == of and {j.parent, j.child} == {moved, on}), None)
@@ -192,24 +192,24 @@ def _motion(compiled: Compiled, wish: Wish, joints: list[ToolJoint]) -> tuple[Mo
     if isinstance(found, Finding):
         raise Refused(found)
     if master == joint:
-        return Motion(compiled, wish.drive, found, master, sign), []
+        return ToolMotion(compiled, wish.drive, found, master, sign), []
     unit = MM if master.kind == "D" else 1.0
     own = None if wish.stops is None else (unit * wish.stops[0], unit * wish.stops[1])
     return mastered(compiled, wish.drive, joints, master, found, window is not None, own)
 
 
 def _links(
-    compiled: Compiled, wish: Wish, joints: list[ToolJoint], motion: Motion, close: float
-) -> tuple[Linkage, list[tuple[Cluster, int]]]:
-    """All functions as trees, and the clusters with the degrees of the polynomials that come ``close`` (rad or mm), if
-    that can be, to their joints."""
-    poses, fits = motion.poses(DESIGNED), list[tuple[Cluster, int]]()
+    compiled: Compiled, wish: Wish, joints: list[ToolJoint], motion: ToolMotion, close: float
+) -> tuple[Linkage, list[tuple[HigherGroup, int]]]:
+    """All functions as trees, and the higher groups with the degrees of the polynomials that come ``close`` (rad or
+    mm), if that can be, to their joints."""
+    poses, fits = motion.poses(DESIGNED), list[tuple[HigherGroup, int]]()
 
     def moved(joint: ToolJoint) -> tuple[Array, float]:
         return motion.values([joint], poses)[0], motion.at_zero(joint)
 
-    def fitted(links: Linkage, cluster: Cluster) -> None:
-        fits.append((cluster, fit(links, cluster, motion.joint, moved, close)))
+    def fitted(links: Linkage, higher_group: HigherGroup) -> None:
+        fits.append((higher_group, fit(links, higher_group, motion.joint, moved, close)))
 
     geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
     structure, branches = motion.solved
@@ -220,21 +220,21 @@ def _links(
     return links, fits
 
 
-def _no_closed_form(fits: list[tuple[Cluster, int]], error: float, drive: str) -> Finding:
-    """The finding on the first cluster, with the largest error of all functions."""
-    cluster, degree = fits[0][0], max(degree for _, degree in fits)
-    data = {"links": ", ".join(cluster.links), "group": cluster.signature, "drive": drive}
+def _no_closed_form(fits: list[tuple[HigherGroup, int]], error: float, drive: str) -> Finding:
+    """The finding on the first higher group, with the largest error of all functions."""
+    higher_group, degree = fits[0][0], max(degree for _, degree in fits)
+    data = {"links": ", ".join(higher_group.links), "group": higher_group.signature, "drive": drive}
     return Finding(
         "functions.no-closed-form",
-        ("links", cluster.links[0]),
+        ("links", higher_group.links[0]),
         data | {"degree": degree, "error": f"{error:.2g}", "approximate": f"{max(1.1 * error, OFFERED):.2g}"},
     )
 
 
-class _Writer:
+class _TextSearch:
     """Trees to proven texts."""
 
-    def __init__(self, compiled: Compiled, wish: Wish, links: Linkage, motion: Motion, fitted: bool) -> None:
+    def __init__(self, compiled: Compiled, wish: Wish, links: Linkage, motion: ToolMotion, fitted: bool) -> None:
         self.compiled, self.wish, self.links, self.motion, self.fitted = compiled, wish, links, motion, fitted
         self.dialect: Dialect = DIALECTS[wish.dialect]
         self.names = {j.joint: j.name for j in links.joints}

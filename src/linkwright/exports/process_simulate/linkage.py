@@ -40,7 +40,7 @@ def wedge(step: Wedge) -> Finding:
 
 
 @dataclass(frozen=True)
-class Seat:
+class LinkSeat:
     """How a link sits on another: its point ``foot`` at ``spot`` of ``base`` (m, each in its own frame), or off that
     by what a slide is out, in ``heading`` of the base."""
 
@@ -68,7 +68,7 @@ class Linkage:
     symbols: dict[str, Tree] = field(default_factory=dict)
     values: dict[str, Array] = field(default_factory=dict)
     angles: dict[str, Angle] = field(default_factory=dict)
-    seats: dict[str, Seat] = field(default_factory=dict)
+    seats: dict[str, LinkSeat] = field(default_factory=dict)
     at_zero: dict[str, float] = field(default_factory=dict)
     functions: dict[str, Tree] = field(default_factory=dict)
 
@@ -168,10 +168,10 @@ class Linkage:
     def sit(self, connection: Connection, base: str, link: str) -> None:
         """Put a link on a base by a joint; of a slide, its angle follows."""
         if connection.kind.angular:
-            self.seats[link] = Seat(base, self.pin(connection, base), self.pin(connection, link))
+            self.seats[link] = LinkSeat(base, self.pin(connection, base), self.pin(connection, link))
             return
         (spot, heading), (foot, own) = self.line(connection, base), self.line(connection, link)
-        self.seats[link] = Seat(base, spot, foot, connection.joint, heading)
+        self.seats[link] = LinkSeat(base, spot, foot, connection.joint, heading)
         self.angles[link] = self.angles[base].turned(heading - own)
 
     def held(self, connection: Connection, base: str, link: str) -> None:

@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 
 from linkwright.exports.process_simulate.joints import ToolJoint
 from linkwright.exports.process_simulate.linkage import Refused
-from linkwright.exports.process_simulate.motion import Motion
-from linkwright.exports.process_simulate.reach import SHORTER, Reach, offered
+from linkwright.exports.process_simulate.motion import ToolMotion
+from linkwright.exports.process_simulate.reach import SHORTER, DriveReach, offered
 from linkwright.exports.process_simulate.trees import Array
 from linkwright.findings import Finding
 from linkwright.graph.geometry import Geometry
@@ -38,7 +38,7 @@ STEEP = 1e-3
 
 
 @dataclass
-class Mastered(Motion):
+class Mastered(ToolMotion):
     """The motion of a mechanism as it follows from a joint that its drive doesn't move directly."""
 
     @property
@@ -87,7 +87,7 @@ def mastered(
     drive: str,
     joints: list[ToolJoint],
     master: ToolJoint,
-    reach: Reach,
+    reach: DriveReach,
     asked: bool = False,
     stops: tuple[float, float] | None = None,
 ) -> tuple[Mastered, list[Finding]]:
@@ -124,8 +124,8 @@ def _dead_centre(motion: Mastered, turns: Array, home: tuple[float, float]) -> d
     return {"drive": motion.drive, "unit": unit, "at": at[0], **offered(home, size)}
 
 
-def _cut(reach: Reach, ends: tuple[float, float]) -> Reach:
-    return Reach(*ends, reach.zero, reach.start)
+def _cut(reach: DriveReach, ends: tuple[float, float]) -> DriveReach:
+    return DriveReach(*ends, reach.zero, reach.start)
 
 
 def _between(motion: Mastered, stops: tuple[float, float]) -> Mastered:
@@ -148,9 +148,11 @@ def _home(motion: Mastered, turns: Array) -> tuple[float, float]:
     return float(start + off * (below.size > 0)), float(stop - off * (above.size > 0))
 
 
-def _steady(compiled: Compiled, drive: str, joints: list[ToolJoint], reach: Reach, master: ToolJoint) -> Iterator[str]:
+def _steady(
+    compiled: Compiled, drive: str, joints: list[ToolJoint], reach: DriveReach, master: ToolJoint
+) -> Iterator[str]:
     """The names of the other joints that go one way, at no small rate, all over the range."""
-    motion = Motion(compiled, drive, reach, master, 1.0)
+    motion = ToolMotion(compiled, drive, reach, master, 1.0)
     others = [joint for joint in joints if joint != master and not joint.left_out]
     rates = motion.rates(others, np.linspace(*motion.hull, 361))
     for joint, row in zip(others, rates, strict=True):
@@ -158,7 +160,7 @@ def _steady(compiled: Compiled, drive: str, joints: list[ToolJoint], reach: Reac
             yield joint.name
 
 
-def _driven_anew(motion: Motion) -> tuple[Structure, dict[Group, float]]:
+def _driven_anew(motion: ToolMotion) -> tuple[Structure, dict[Group, float]]:
     """The mechanism decomposed with its master driven, and the branches in which its dyads are at the zero pose."""
     compiled, joint, drive, zero = motion.compiled, motion.joint, motion.drive, motion.reach.zero
     way = {"T": "turns", "D": "slides"}[joint.kind]

@@ -9,7 +9,7 @@ import numpy as np
 
 from linkwright.exports.process_simulate.joints import ToolJoint
 from linkwright.exports.process_simulate.linkage import MM
-from linkwright.exports.process_simulate.reach import Reach
+from linkwright.exports.process_simulate.reach import DriveReach
 from linkwright.exports.process_simulate.trees import Array
 from linkwright.kernels import Compiled
 from linkwright.results import Run
@@ -20,14 +20,14 @@ STEPS = 720
 
 
 @dataclass
-class Motion:
+class ToolMotion:
     """A mechanism moved by one drive alone over its reach; ``joint`` is the tool's driving joint, here the one that the
     drive moves. ``sign`` is +1 where that counts as the drive does, ``unit`` what it counts in (rad, or m in mm),
     ``told`` the dependent joints that have functions."""
 
     compiled: Compiled
     drive: str
-    reach: Reach
+    reach: DriveReach
     joint: ToolJoint
     sign: float
     told: list[ToolJoint] = field(default_factory=list)

@@ -21,7 +21,7 @@ PATH = ("exports", "process-simulate", "range")
 
 
 @dataclass(frozen=True)
-class Reach:
+class DriveReach:
     """Values of the drive (rad or m): the least, the largest, that at the zero pose, that at the model's start."""
 
     low: float
@@ -37,7 +37,7 @@ def reach(
     zero: float | None,
     window: tuple[float, float] | None,
     stops: tuple[str, float] | None = None,
-) -> Reach | Finding:
+) -> DriveReach | Finding:
     """The range of a drive, or why there is none. ``stops`` has the joint that the window's ends are stops of, with -1
     where it counts against the drive."""
     start = float(values_at(compiled.laws, 0.0)[drive])
@@ -47,11 +47,11 @@ def reach(
         if found is None:
             return _none(compiled, drive, start)
         if found.full:
-            return Reach(zero, zero + 2 * math.pi, zero, start, full=True)
+            return DriveReach(zero, zero + 2 * math.pi, zero, start, full=True)
         if not found.holds(zero):
             return _zero_beyond(compiled, drive, zero, found)
         low, high = found.allowed
-        return Reach(min(low, zero), max(high, zero), zero, start)
+        return DriveReach(min(low, zero), max(high, zero), zero, start)
     low, high = min(*window, zero, start), max(*window, zero, start)
     found = _home(ranges(compiled, drive, (low, high), SAMPLES), start)
     if found is None:
@@ -63,7 +63,7 @@ def reach(
             return _zero_beyond(compiled, drive, zero, whole)
         met = found.groups or whole.groups
         return _beyond(compiled, drive, window, found if whole.full else whole, met, zero, stops)
-    return Reach(*window, zero, start)
+    return DriveReach(*window, zero, start)
 
 
 @dataclass(frozen=True)

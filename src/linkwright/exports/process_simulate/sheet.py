@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from linkwright import _version
 from linkwright.drawing.chart_html import figures
 from linkwright.drawing.charts import Axes, points
-from linkwright.drawing.plane import Plane
+from linkwright.drawing.plane import PicturePlane
 from linkwright.escape import markup
 from linkwright.exports.process_simulate.facts import HingeFacts
 from linkwright.exports.process_simulate.functions import JointFunction, JointFunctions
@@ -247,7 +247,7 @@ def _plane(compiled: Compiled, facts: HingeFacts) -> str:
     if facts.swept is None and (near.sum() < 2 or np.ptp(pole[:, near], axis=1).max() < 1e-6 * reach):
         return ""
     every = np.concatenate([shown, pole[:, near]], axis=1)
-    plane = Plane((*every.min(axis=1).tolist(), *every.max(axis=1).tolist()), unit)
+    plane = PicturePlane((*every.min(axis=1).tolist(), *every.max(axis=1).tolist()), unit)
     shapes = []
     if facts.swept is not None:
         drawn = facts.swept.simplify(0.1 / plane.scale * size)

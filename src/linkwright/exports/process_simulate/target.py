@@ -15,7 +15,7 @@ from linkwright.exports.process_simulate.text_files import check_table, pasteabl
 from linkwright.exports.registry import Exported, register
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.studies import Site
+from linkwright.studies import RunContext
 from linkwright.words import say
 
 
@@ -31,7 +31,7 @@ class ProcessSimulate:
         """What is wrong with options that are well-formed, and what of the mechanism functions can't hold."""
         return [*check(compiled, options)]
 
-    def export(self, compiled: Compiled, options: ProcessSimulateOptions, site: Site) -> Exported:
+    def export(self, compiled: Compiled, options: ProcessSimulateOptions, site: RunContext) -> Exported:
         """Text to paste, a C# snippet, a table to check them by, a sheet that shows what goes where."""
         try:
             made = make(compiled, options.wish(compiled))

@@ -39,7 +39,7 @@ DECADE = 10.0
 """Others lie between this part of what is stated and this multiple of it."""
 
 
-class Wanted(Shortened):
+class AllocationTarget(Shortened):
     """A target: the half-width of an output."""
 
     main = "within"
@@ -58,7 +58,7 @@ def _of_contributor(c: Context) -> str | u.Dimension:
 class Allocate(Frozen):
     """The cheapest tolerances for a wanted accuracy."""
 
-    targets: Annotated[dict[OutputName, Wanted], of_output(4), freeze] = Field(
+    targets: Annotated[dict[OutputName, AllocationTarget], of_output(4), freeze] = Field(
         min_length=1, max_length=100, description="by output, the half-width that is wanted"
     )
     method: Method = Field("rss", description="rss: the target is so many sigmas; worst: the linear worst case")

@@ -35,7 +35,7 @@ class Allotted:
 
 
 @dataclass(frozen=True, eq=False)
-class Held:
+class AllocatedTarget:
     """A target in SI: the half-width ``wanted`` of an output, what it is ``now``, ``after``, and with ``rounded``
     tolerances; ``price`` is what one more SI unit of it would save. ``coefficients`` (rows, contributors) are those
     used: a row for each pose of a signal, else one; ``row`` is the one that comes closest to the target."""
@@ -83,7 +83,7 @@ class Allocation:
     """
 
     items: tuple[Allotted, ...]
-    targets: tuple[Held, ...]
+    targets: tuple[AllocatedTarget, ...]
     sigmas: float
     costs: tuple[float, float, float | None]
     bound: float | None

@@ -16,7 +16,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.studies.accuracy.costs import Law, Stepped
+from linkwright.studies.accuracy.costs import CostLaw, Stepped
 
 Array = NDArray[np.float64]
 
@@ -32,7 +32,7 @@ class Item:
     name: str
     now: float
     spread: float
-    law: Law | None = None
+    law: CostLaw | None = None
     low: float = 0.0
     high: float = np.inf
     choices: tuple[tuple[str, float], ...] = ()
@@ -68,7 +68,7 @@ class Problem:
         return [i for i, item in enumerate(self.items) if item.law is not None]
 
     @cached_property
-    def laws(self) -> list[Law]:
+    def laws(self) -> list[CostLaw]:
         """Their laws."""
         return [item.law for item in self.items if item.law is not None]
 
@@ -137,7 +137,7 @@ class Problem:
         return float(sum(hull(law, half) for law, half in zip(self.laws, halves, strict=True)))
 
 
-def hull(law: Law, half: float) -> float:
+def hull(law: CostLaw, half: float) -> float:
     """The cost of a half-width by the convex hull of a stepped law; by any other law the cost itself."""
     if not isinstance(law, Stepped):
         return law.cost(half)

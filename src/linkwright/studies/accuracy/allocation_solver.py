@@ -15,10 +15,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.studies.accuracy.allocation_outcome import Allocation, Allotted, Held, Optimality
+from linkwright.studies.accuracy.allocation_outcome import AllocatedTarget, Allocation, Allotted, Optimality
 from linkwright.studies.accuracy.allocation_problem import SLACK, Problem, hull
 from linkwright.studies.accuracy.costs import NEAR, Stepped
-from linkwright.studies.accuracy.rounding import Choice, rounded
+from linkwright.studies.accuracy.rounding import RoundedWidths, rounded
 
 Array = NDArray[np.float64]
 
@@ -195,7 +195,7 @@ def _outcome(
     halves: Array,
     multipliers: Array,
     cost: float,
-    choice: Choice | None,
+    choice: RoundedWidths | None,
     reached: bool,
     loose: bool,
 ) -> Allocation:
@@ -219,7 +219,7 @@ def _outcome(
     )
 
 
-def _items(problem: Problem, halves: Array, multipliers: Array, choice: Choice | None) -> Iterator[Allotted]:
+def _items(problem: Problem, halves: Array, multipliers: Array, choice: RoundedWidths | None) -> Iterator[Allotted]:
     needed, place = -multipliers @ problem.slopes(halves), {item: i for i, item in enumerate(problem.free)}
     for k, one in enumerate(problem.items):
         if one.law is None:
@@ -233,13 +233,13 @@ def _items(problem: Problem, halves: Array, multipliers: Array, choice: Choice |
         yield Allotted(one.name, one.unit, one.size, one.now, half, *ends, fine, label, costs, price)
 
 
-def _targets(problem: Problem, halves: Array, multipliers: Array, chosen: Array | None) -> Iterator[Held]:
+def _targets(problem: Problem, halves: Array, multipliers: Array, chosen: Array | None) -> Iterator[AllocatedTarget]:
     now, after = problem.shares(problem.now[problem.free]), problem.shares(halves)
     fine, uses = None if chosen is None else problem.shares(chosen), problem.uses(halves)
     for k, demand in enumerate(problem.demands):
         mine, wanted = problem.owner == k, demand.wanted
         power = 2 if demand.method == "rss" else 1
-        yield Held(
+        yield AllocatedTarget(
             demand.name,
             demand.unit,
             demand.size,

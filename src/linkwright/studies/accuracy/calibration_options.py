@@ -25,9 +25,18 @@ from linkwright.notation.duals import Dual, slope_of, value_of
 from linkwright.results import Run
 from linkwright.results.run import expressed
 from linkwright.studies.accuracy.calibration_outcome import Calibration, Confounded, Estimate, Observed
-from linkwright.studies.accuracy.calibration_solver import Fit, Measurements, TooFew, Unusable, fit, scaling
+from linkwright.studies.accuracy.calibration_solver import CalibrationFit, Measurements, TooFew, Unusable, fit, scaling
 from linkwright.studies.accuracy.contributors import Contributors
-from linkwright.studies.accuracy.measured import PATH, Column, Sheet, check_sigmas, read, read_file, sigmas, times
+from linkwright.studies.accuracy.measured import (
+    PATH,
+    MeasuredColumn,
+    MeasuredRows,
+    check_sigmas,
+    read,
+    read_file,
+    sigmas,
+    times,
+)
 from linkwright.studies.accuracy.outputs import OutputName, of_output
 from linkwright.studies.accuracy.parameter_chain import derivatives, derived
 
@@ -80,13 +89,13 @@ def check_calibrate(compiled: Compiled, options: Calibrate, contributors: Contri
         yield from check_sigmas(compiled, options.sigma)
 
 
-def _measured(compiled: Compiled, options: Calibrate) -> tuple[Sheet | None, list[Finding]]:
+def _measured(compiled: Compiled, options: Calibrate) -> tuple[MeasuredRows | None, list[Finding]]:
     if options.file is not None:
         return read_file(compiled, options.file, options.at, compiled.folder)
     return read(compiled, options.points or (), options.at)
 
 
-def _check_sheet(run: Run, options: Calibrate, contributors: Contributors, sheet: Sheet) -> Iterator[Finding]:
+def _check_sheet(run: Run, options: Calibrate, contributors: Contributors, sheet: MeasuredRows) -> Iterator[Finding]:
     yield from times(run, sheet)[1]
     sigma, findings = sigmas(run.compiled, sheet, options.sigma)
     yield from findings
@@ -132,7 +141,7 @@ def _begun(contributors: Contributors, chosen: list[int], prior: bool) -> tuple[
 class Shifted:
     """Outputs at some times with their derivatives, at any deviations."""
 
-    def __init__(self, run: Run, directions: Array, outputs: tuple[Column, ...], t: Array) -> None:
+    def __init__(self, run: Run, directions: Array, outputs: tuple[MeasuredColumn, ...], t: Array) -> None:
         self.run, self.t, self.compiled = run, t, run.compiled
         self.trees = [column.tree for column in outputs if column.tree is not None]
         quantities, names = self.compiled.quantities, self.compiled.graph.parameters
@@ -172,11 +181,11 @@ class Shifted:
 
 
 def _outcome(
-    found: Fit,
+    found: CalibrationFit,
     options: Calibrate,
     contributors: Contributors,
     chosen: list[int],
-    sheet: Sheet,
+    sheet: MeasuredRows,
     t: Array,
     stated: NDArray[np.bool_],
     shifted: Shifted,
@@ -233,7 +242,7 @@ def _outcome(
     )
 
 
-def _rms(sheet: Sheet, values: Array) -> tuple[float, ...]:
+def _rms(sheet: MeasuredRows, values: Array) -> tuple[float, ...]:
     """Root mean square of each output's residuals."""
     off = values - sheet.values
     for o, column in enumerate(sheet.outputs):

@@ -56,7 +56,7 @@ class Measurements:
     turns: NDArray[np.bool_]
 
 
-class Fit(NamedTuple):
+class CalibrationFit(NamedTuple):
     """Deviations, covariance (n, n) of what is identified, fitted outputs (outputs, positions), studentised residuals
     (measured less fitted) and which are outliers, standard deviations of the outputs, chi square, degrees of freedom
     and probability, singular values, directions (n, null) in deviations that can't be told, and which deviations aren't
@@ -120,7 +120,7 @@ def fit(
     prior: bool = False,
     confidence: float = 0.95,
     threshold: float = 1e-6,
-) -> Fit:
+) -> CalibrationFit:
     """Estimate the deviations d = start + basis z. Raises :class:`TooFew`, :class:`Unusable`."""
     # The nominal mechanism has to work, or there is nothing to start from.
     work = _Weighted(model, data, start, basis, prior)
@@ -201,7 +201,9 @@ def _sigmas(work: _Weighted, z: Array, open_: NDArray[np.bool_], threshold: floa
     return sigma
 
 
-def _figures(work: _Weighted, z: Array, step: float, estimated: bool, confidence: float, threshold: float) -> Fit:
+def _figures(
+    work: _Weighted, z: Array, step: float, estimated: bool, confidence: float, threshold: float
+) -> CalibrationFit:
     from scipy.special import chdtrc, stdtrit
 
     j, r, basis, count = work.jacobian(z), work.residuals(z), work.basis, work.owner.size
@@ -231,7 +233,7 @@ def _figures(work: _Weighted, z: Array, step: float, estimated: bool, confidence
         made[work.known] = flat
         return made
 
-    return Fit(
+    return CalibrationFit(
         work.start + basis @ z,
         root @ root.T,
         work.data.values + np.where(work.known, spread(work.raw(z)[0]), np.nan),

@@ -12,7 +12,7 @@ from linkwright.escape import markup
 from linkwright.expressions.units import TIME
 from linkwright.findings import Joined, Said, Text
 from linkwright.presentation.blocks import Chart
-from linkwright.studies.accuracy.outcome import AccuracyOutcome, Curve, Figure, MonteCarlo
+from linkwright.studies.accuracy.outcome import AccuracyOutcome, MonteCarlo, OutputDeviations, SignalDeviations
 from linkwright.studies.accuracy.summary import WIDE, ranked
 
 Array = NDArray[np.float64]
@@ -22,14 +22,14 @@ MOST_SAMPLES = 100
 """Convergence is shown from so small a part of the samples on: before, it only jumps."""
 
 
-def curve_charts(curve: Curve, outcome: AccuracyOutcome) -> list[Chart]:
+def curve_charts(curve: SignalDeviations, outcome: AccuracyOutcome) -> list[Chart]:
     """A signal's band, once more as deviations where it is narrow, and what its contributors make of it."""
     width, span = np.nanmax(curve.worst[1] - curve.worst[0], initial=0.0), np.ptp(_known(curve.nominal))
     apart = [_band(curve, outcome, centred=True)] if 0 < width < NARROW * span else []
     return [_band(curve, outcome), *apart, _contributions(curve, outcome)]
 
 
-def figure_charts(figure: Figure, outcome: AccuracyOutcome) -> list[Chart]:
+def figure_charts(figure: OutputDeviations, outcome: AccuracyOutcome) -> list[Chart]:
     """The shares of a figure's contributors; histogram and convergence of its samples."""
     made: list[Chart | None] = [_pareto(figure, outcome)]
     found = figure.monte_carlo
@@ -43,7 +43,7 @@ def _known(values: Array) -> Array:
     return known if known.size else np.zeros(1)
 
 
-def _band(curve: Curve, outcome: AccuracyOutcome, centred: bool = False) -> Chart:
+def _band(curve: SignalDeviations, outcome: AccuracyOutcome, centred: bool = False) -> Chart:
     """Nominal value with worst case (light), RSS (dark), the samples' standard deviation (dots), clearances (dashed);
     ``centred``, the deviations from it."""
     quantities, some = outcome.compiled.quantities, thinned(curve.t.size, MOST_POSES)
@@ -68,7 +68,7 @@ def _band(curve: Curve, outcome: AccuracyOutcome, centred: bool = False) -> Char
     return Chart(title, partial(axes.drawing, shapes, title))
 
 
-def _contributions(curve: Curve, outcome: AccuracyOutcome) -> Chart:
+def _contributions(curve: SignalDeviations, outcome: AccuracyOutcome) -> Chart:
     """The standard deviations that the largest contributors make, each with the sign of its coefficient."""
     time_unit, second = outcome.compiled.quantities.unit_of(TIME)
     some = thinned(curve.t.size, MOST_POSES)
@@ -88,7 +88,7 @@ def _contributions(curve: Curve, outcome: AccuracyOutcome) -> Chart:
     return Chart(title, partial(axes.drawing, shapes, title))
 
 
-def _pareto(figure: Figure, outcome: AccuracyOutcome) -> Chart | None:
+def _pareto(figure: OutputDeviations, outcome: AccuracyOutcome) -> Chart | None:
     """A bar for the share of each contributor in the variance, and the line of their sum."""
     title = Said("accuracy.chart.pareto", name=figure.name)
     first = ranked(figure)[:MOST_BARS]
@@ -112,7 +112,7 @@ def _pareto(figure: Figure, outcome: AccuracyOutcome) -> Chart | None:
     return Chart(title, partial(axes.drawing, shapes, Joined([title, told], ": ")))
 
 
-def _histogram(figure: Figure, found: MonteCarlo) -> Chart:
+def _histogram(figure: OutputDeviations, found: MonteCarlo) -> Chart:
     """The samples, the normal distribution of RSS and the limits of the worst case."""
     size, edges, counts = figure.column.size, found.edges / figure.column.size, found.counts.astype(float)
     middle, sigma = (figure.nominal + figure.mean) / size, figure.sigma / size
@@ -136,7 +136,7 @@ def _histogram(figure: Figure, found: MonteCarlo) -> Chart:
     return Chart(title, partial(axes.drawing, shapes, title))
 
 
-def _convergence(figure: Figure, found: MonteCarlo, row: str) -> Chart | None:
+def _convergence(figure: OutputDeviations, found: MonteCarlo, row: str) -> Chart | None:
     """Mean or standard deviation over the number of samples, with what RSS says and the interval of confidence."""
     title = Said(f"accuracy.chart.convergence.{row}", name=named(figure.name, figure.column.unit))
     if len(found.convergence) < 2:

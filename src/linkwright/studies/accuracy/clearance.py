@@ -13,7 +13,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.elements.clearance import Held
+from linkwright.elements.clearance import LooseJoint
 from linkwright.expressions.language import Node
 from linkwright.findings import Finding, enumerated
 from linkwright.kernels import Compiled
@@ -71,7 +71,7 @@ class Plays:
         rows = {name: jet.d[0] for name, jet in self.gaps.known(t).items()}
         return [np.asarray(one.size([part for seat in one.forces(rows) for part in seat])) for one in self.held]
 
-    def _warn(self, code: str, one: Held) -> None:
+    def _warn(self, code: str, one: LooseJoint) -> None:
         data = {"name": one.joint, "links": enumerated(one.links)}
         self.warnings.append(Finding(code, (*PATH, one.joint), data, severity="warning"))
 
@@ -113,7 +113,7 @@ class Plays:
             found.append(JointPlay(one.joint, one.links, one.clearance, t, reaction, np.stack(shift), named))
         return found
 
-    def _force(self, one: Held, seat: int) -> Callable[[Array], tuple[Array, Array]]:
+    def _force(self, one: LooseJoint, seat: int) -> Callable[[Array], tuple[Array, Array]]:
         """The force at a joint's contact and its rate."""
 
         def of(t: Array) -> tuple[Array, Array]:

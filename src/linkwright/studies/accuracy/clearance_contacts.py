@@ -11,7 +11,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from linkwright.elements.clearance import Axis, Held, Known, Stated
+from linkwright.elements.clearance import Axis, Known, LooseJoint, StatedClearance
 from linkwright.expressions.units import LENGTH
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.rows import BodyPlace, Named
@@ -20,17 +20,17 @@ from linkwright.studies.accuracy.clearance_options import Clearance
 from linkwright.studies.accuracy.rollers import on_roller, rollers
 
 
-def held(compiled: Compiled, clearances: Mapping[str, Clearance]) -> list[Held]:
+def held(compiled: Compiled, clearances: Mapping[str, Clearance]) -> list[LooseJoint]:
     """What is held with the stated clearances, which are sound."""
     joints, of_rollers = compiled.structure.topology.joints, rollers(compiled)
     geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
-    found: list[Held] = []
+    found: list[LooseJoint] = []
     for name, entry in clearances.items():
         clearance = compiled.quantities.value(entry.clearance, LENGTH)
         if name in joints:
             kind, links = joints[name]
             length = None if entry.length is None else compiled.quantities.value(entry.length, LENGTH)
-            found += kind.play(geometry, name, links, Stated(clearance, length, entry.centre, entry.in_))
+            found += kind.play(geometry, name, links, StatedClearance(clearance, length, entry.centre, entry.in_))
         else:
             found.append(on_roller(compiled, of_rollers[name], clearance))
     return found
@@ -41,7 +41,7 @@ def named(known: Known) -> Named:
     return BodyPlace(*known) if isinstance(known, Axis) else known
 
 
-def columns(held: Sequence[Held]) -> list[range]:
+def columns(held: Sequence[LooseJoint]) -> list[range]:
     """Where the displacements of each stand among those of all."""
     ends = np.cumsum([0, *(len(one.plays) for one in held)]).tolist()
     return [range(start, stop) for start, stop in pairwise(ends)]

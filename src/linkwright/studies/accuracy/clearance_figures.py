@@ -14,14 +14,17 @@ from linkwright.measures import BoundMeasure
 from linkwright.studies.accuracy.clearance import PATH, Plays
 from linkwright.studies.accuracy.derivatives import Derivatives, Deviated
 from linkwright.studies.accuracy.options import AccuracyOptions
-from linkwright.studies.accuracy.outcome import AccuracyOutcome, Figure, PlayEffect
+from linkwright.studies.accuracy.outcome import AccuracyOutcome, OutputDeviations, PlayEffect
 
 Array = NDArray[np.float64]
 Effects = dict[tuple[str, str], PlayEffect]
 
 
 def state_plays(
-    outcome: AccuracyOutcome, options: AccuracyOptions, measures: Sequence[BoundMeasure], every: Mapping[str, Figure]
+    outcome: AccuracyOutcome,
+    options: AccuracyOptions,
+    measures: Sequence[BoundMeasure],
+    every: Mapping[str, OutputDeviations],
 ) -> None:
     """Give figures of measures, and an outcome's curves and joints, what the clearances do to them.
 

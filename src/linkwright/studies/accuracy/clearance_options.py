@@ -9,7 +9,7 @@ from typing import Annotated
 from pydantic import Field
 
 from linkwright.elements.cam_contact import cam_followers
-from linkwright.elements.clearance import Stated
+from linkwright.elements.clearance import StatedClearance
 from linkwright.expressions.fields import Expression, Name
 from linkwright.expressions.typed_fields import Quantity
 from linkwright.expressions.units import LENGTH
@@ -114,7 +114,7 @@ def _of_joint(
     if name in (loop := compiled.quantities.signals.looped):
         yield Finding("clearance.indeterminate", path, {"name": name, "loop": ", ".join(loop)})
     length = None if entry.length is None else lengths.get("length", math.nan)
-    stated = Stated(lengths.get("clearance", math.nan), length, entry.centre, entry.in_)
+    stated = StatedClearance(lengths.get("clearance", math.nan), length, entry.centre, entry.in_)
     geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
     for code, data, *within in kind.play_faults(geometry, name, links, stated):
         yield Finding(code, (*path, *within), data)

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.elements.clearance import Held, Known, Rows
+from linkwright.elements.clearance import Known, LooseJoint, Rows
 from linkwright.expressions.language import Node
 from linkwright.notation import Jet
 from linkwright.reductions import Local
@@ -29,7 +29,7 @@ class Gaps(Slopes):
     guide across it at its two ends, of a flank along its normal. Displacements are held while a place in time is looked
     for."""
 
-    def __init__(self, run: Run, held: Sequence[Held]) -> None:
+    def __init__(self, run: Run, held: Sequence[LooseJoint]) -> None:
         super().__init__(run, np.empty((run.compiled.parameters.size, 0)), [play for one in held for play in one.plays])
         self.held, self.columns = tuple(held), columns(held)
         self.rows = tuple(dict.fromkeys(row for one in held for row in one.rows))
@@ -82,7 +82,7 @@ class Resting(Slopes):
         return Local(gaps.value, gaps.rate, slope, twist)
 
     @staticmethod
-    def directions(one: Held, load: float, rows: Rows) -> list[list[Jet]]:
+    def directions(one: LooseJoint, load: float, rows: Rows) -> list[list[Jet]]:
         """Unit vectors of the forces at a joint's contacts; 0 where there is no force, but on one flank."""
         found = []
         for seat in one.forces(rows):

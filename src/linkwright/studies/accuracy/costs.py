@@ -36,7 +36,7 @@ GRADE = re.compile(r"IT(?:01|0|1[0-8]?|[2-9])")
 LARGEST = 1e40
 
 
-class Law(Protocol):
+class CostLaw(Protocol):
     """The cost of a half-width (SI): convex, falling."""
 
     def cost(self, half: float) -> float:
@@ -118,7 +118,7 @@ class Cost(Frozen):
     )
 
     @abstractmethod
-    def law(self, size: float, widths: Widths) -> Law:
+    def law(self, size: float, widths: Widths) -> CostLaw:
         """The law for half-widths in SI; ``size`` is the parameter's unit in SI."""
 
     def unknown(self, widths: Widths) -> list[str]:
@@ -168,7 +168,7 @@ class Reciprocal(Cost):
         description="b, or [a, b], of a + b/d for d in the parameter's unit"
     )
 
-    def law(self, size: float, widths: Widths) -> Law:
+    def law(self, size: float, widths: Widths) -> CostLaw:
         a, b = self.reciprocal[0], self.reciprocal[1] * size
         return Smooth(lambda d: a + b / d, lambda d: -b / d**2)
 
@@ -182,7 +182,7 @@ class ReciprocalSquared(Cost):
         description="b, or [a, b], of a + b/d^2 for d in the parameter's unit"
     )
 
-    def law(self, size: float, widths: Widths) -> Law:
+    def law(self, size: float, widths: Widths) -> CostLaw:
         a, b = self.reciprocal_squared[0], self.reciprocal_squared[1] * size**2
         return Smooth(lambda d: a + b / d**2, lambda d: -2 * b / d**3)
 
@@ -196,7 +196,7 @@ class Exponential(Cost):
         description="[b, m] or [a, b, m] of a + b*exp(-d/m), d and m in its unit"
     )
 
-    def law(self, size: float, widths: Widths) -> Law:
+    def law(self, size: float, widths: Widths) -> CostLaw:
         a, b, m = self.exponential[0], self.exponential[1], self.exponential[2] * size
         return Smooth(lambda d: a + b * np.e ** (-d / m), lambda d: -b / m * float(np.exp(-d / m)))
 
@@ -238,7 +238,7 @@ class Processes(Cost):
         ),
     ] = Field(description="{IT6: cost, IT7: cost}, or [[half-width, cost], ...] in the parameter's unit")
 
-    def law(self, size: float, widths: Widths) -> Law:
+    def law(self, size: float, widths: Widths) -> CostLaw:
         rows = []
         for key, cost in self.table:
             half = widths(key) if isinstance(key, str) else key * size

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Node
-from linkwright.measures import BoundMeasure, Measurer, Probe, Reading
+from linkwright.measures import BoundMeasure, Measurer, Probe, SignalInRun
 from linkwright.model.bound_window import BoundWindow
 from linkwright.reductions import Derivative, Local
 from linkwright.results import Run
@@ -133,7 +133,7 @@ class Deviated:
 
     every: Derivatives
     measure: BoundMeasure
-    here: Reading
+    here: SignalInRun
 
     @property
     def count(self) -> int:

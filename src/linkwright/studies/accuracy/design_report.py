@@ -10,9 +10,9 @@ import numpy as np
 
 from linkwright.findings import Said, Text
 from linkwright.presentation.blocks import Table, table
-from linkwright.presentation.cells import UNKNOWN, Cell, Number, Numbers, Unit
+from linkwright.presentation.cells import UNKNOWN, Cell, NumberCell, Numbers, Unit
 from linkwright.presentation.json_numbers import known, listed
-from linkwright.studies.accuracy.allocation_outcome import Allocation, Allotted, Held
+from linkwright.studies.accuracy.allocation_outcome import AllocatedTarget, Allocation, Allotted
 from linkwright.studies.accuracy.calibration_outcome import Calibration, Estimate, Observed
 
 THOUSANDTH = 1e-3
@@ -50,7 +50,7 @@ def _allotted(one: Allotted) -> dict[str, Any]:
     }
 
 
-def _target(one: Held) -> dict[str, Any]:
+def _target(one: AllocatedTarget) -> dict[str, Any]:
     widths = {"wanted": one.wanted, "now": one.now, "cheapest": one.after, "rounded": one.rounded}
     return {
         "unit": one.unit,
@@ -147,7 +147,7 @@ def _tolerance(one: Allotted) -> list[Cell]:
     return [one.name, *widths, grade, _shown(one.price * one.size * THOUSANDTH), Unit(one.unit)]
 
 
-def _demand(one: Held) -> list[Cell]:
+def _demand(one: AllocatedTarget) -> list[Cell]:
     widths = (_shown(width, one.size) for width in (one.wanted, one.now, one.after, one.rounded))
     return [one.name, *widths, _shown(one.price * one.size * THOUSANDTH), Unit(one.unit)]
 
@@ -168,5 +168,5 @@ def _known(value: float | None, size: float = 1.0) -> float | None:
     return None if value is None else known(value / size)
 
 
-def _shown(value: float | None, size: float = 1.0) -> Number:
-    return Number(_known(value, size), 5)
+def _shown(value: float | None, size: float = 1.0) -> NumberCell:
+    return NumberCell(_known(value, size), 5)

@@ -11,7 +11,7 @@ from linkwright.kernels import Compiled
 from linkwright.model.sampled import names_in
 from linkwright.studies.accuracy.contributors import Contributors
 from linkwright.studies.accuracy.copula import Copula, copula
-from linkwright.studies.distributions import Spread
+from linkwright.studies.distributions import ParameterSpread
 from linkwright.studies.plans import PLANS
 
 Array = NDArray[np.float64]
@@ -42,7 +42,7 @@ class Deviations:
 
     def __init__(self, compiled: Compiled, contributors: Contributors, plan: str, samples: int, seed: int) -> None:
         self.contributors, self.shift = contributors, Shift(compiled, contributors)
-        self.plan = PLANS[plan]([Spread(one.quantile) for one in contributors.every], samples, seed)
+        self.plan = PLANS[plan]([ParameterSpread(one.quantile) for one in contributors.every], samples, seed)
         self.name, self.names = plan, self.shift.names
         self.samples, self.independent = self.plan.samples, self.plan.independent
 

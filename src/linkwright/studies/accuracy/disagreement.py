@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from linkwright.findings import Said
 from linkwright.presentation.json_numbers import known
-from linkwright.studies.accuracy.outcome import AccuracyOutcome, Curve, Figure
+from linkwright.studies.accuracy.outcome import AccuracyOutcome, OutputDeviations, SignalDeviations
 
 Array = NDArray[np.float64]
 
@@ -47,7 +47,7 @@ class Disagreement:
         return Said("accuracy.parted", name=name, **data, **errors)
 
 
-def disagreement(figure: Figure, outcome: AccuracyOutcome) -> Disagreement | None:
+def disagreement(figure: OutputDeviations, outcome: AccuracyOutcome) -> Disagreement | None:
     """That of one figure; ``None`` without samples."""
     found = figure.monte_carlo
     if found is None:
@@ -63,7 +63,7 @@ def disagreement(figure: Figure, outcome: AccuracyOutcome) -> Disagreement | Non
     return Disagreement(ratio, sigma_errors, shift, mean_errors, bool(_parted(compared, outcome)[0]))
 
 
-def along(curve: Curve, outcome: AccuracyOutcome) -> NDArray[np.bool_]:
+def along(curve: SignalDeviations, outcome: AccuracyOutcome) -> NDArray[np.bool_]:
     """The poses (poses,) at which RSS and samples of a signal part ways."""
     if curve.sampled is None:
         return np.zeros(curve.t.size, dtype=bool)

@@ -12,7 +12,7 @@ from linkwright.measures import BoundMeasure, measure_all
 from linkwright.results import Run
 from linkwright.studies.accuracy.contributors import Contributors
 from linkwright.studies.accuracy.derivatives import Derivatives
-from linkwright.studies.accuracy.outcome import Curve, Figure
+from linkwright.studies.accuracy.outcome import OutputDeviations, SignalDeviations
 from linkwright.studies.accuracy.signal_sensitivities import Slopes
 from linkwright.studies.accuracy.stackup import larger, shares, spread, worst
 from linkwright.studies.figures import columns
@@ -20,7 +20,7 @@ from linkwright.studies.figures import columns
 Array = NDArray[np.float64]
 
 
-def curves(run: Run, slopes: Slopes, contributors: Contributors, texts: Sequence[str]) -> dict[str, Curve]:
+def curves(run: Run, slopes: Slopes, contributors: Contributors, texts: Sequence[str]) -> dict[str, SignalDeviations]:
     """The signals over the run; their figures are still open."""
     quantities, found = run.compiled.quantities, {}
     trees = [quantities.dimensions.bind(parse(text), None) for text in texts]
@@ -32,7 +32,7 @@ def curves(run: Run, slopes: Slopes, contributors: Contributors, texts: Sequence
         dimension = quantities.dimensions.dimension(parse(text))
         unit, size = quantities.unit_of(dimension)
         width = np.nan_to_num(limits[1] - limits[0])
-        found[text] = Curve(
+        found[text] = SignalDeviations(
             text, dimension, unit, size, run.t, here.value[0], coefficients, limits, mean, sigma, int(width.argmax())
         )
     return found
@@ -40,21 +40,21 @@ def curves(run: Run, slopes: Slopes, contributors: Contributors, texts: Sequence
 
 def figures(
     run: Run, slopes: Slopes, contributors: Contributors, measures: Sequence[BoundMeasure]
-) -> dict[str, Figure]:
+) -> dict[str, OutputDeviations]:
     """All figures of some measures by their names; a measure without a value has none."""
     taken = zip(measures, measure_all(run, measures)[0], strict=True)
     results = [(measure, result) for measure, result in taken if result.found]
-    derivatives, made = Derivatives(run, slopes, [measure for measure, _ in results]), dict[str, Figure]()
+    derivatives, made = Derivatives(run, slopes, [measure for measure, _ in results]), dict[str, OutputDeviations]()
     for measure, result in results:
         pairs = list(zip(columns(run.compiled, measure), result.found, strict=True))
         if not len(contributors):
-            made |= {c.name: Figure(c, number.value, number.time, np.empty((0, 2))) for c, number in pairs}
+            made |= {c.name: OutputDeviations(c, number.value, number.time, np.empty((0, 2))) for c, number in pairs}
             continue
         for (column, number), one in zip(pairs, derivatives.of(measure.name), strict=True):
             coefficients = larger(one.sides)
             limits = one.limits(contributors.low, contributors.high)
             mean, sigma = spread(coefficients, contributors)
-            made[column.name] = Figure(
+            made[column.name] = OutputDeviations(
                 column,
                 number.value,
                 number.time,

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from linkwright.expressions.units import TIME
 from linkwright.model.csv_text import cell, head, written
 from linkwright.results.dataset import Dataset, Variable, described, si_unit, times
-from linkwright.studies.accuracy.outcome import AccuracyOutcome, Curve
+from linkwright.studies.accuracy.outcome import AccuracyOutcome, SignalDeviations
 from linkwright.studies.accuracy.summary import part, per, ranked
 
 Array = NDArray[np.float64]
@@ -64,7 +64,7 @@ def dataset(outcome: AccuracyOutcome) -> Dataset:
     return Dataset(made, facts)
 
 
-def _rows(curve: Curve) -> dict[str, Array]:
+def _rows(curve: SignalDeviations) -> dict[str, Array]:
     """What is known of a signal at each pose, by its name in tables."""
     rows = {"nominal": curve.nominal, "worst low": curve.worst[0], "worst high": curve.worst[1]}
     rows |= {"mean": curve.mean, "sigma": curve.sigma}

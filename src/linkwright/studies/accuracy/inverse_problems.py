@@ -16,7 +16,7 @@ from linkwright.studies.accuracy.allocation_options import Output, allocated, pr
 from linkwright.studies.accuracy.calibration_options import calibrate, check_calibrate
 from linkwright.studies.accuracy.contributors import Contributors
 from linkwright.studies.accuracy.options import AccuracyOptions
-from linkwright.studies.accuracy.outcome import AccuracyOutcome, Curve, Figure
+from linkwright.studies.accuracy.outcome import AccuracyOutcome, OutputDeviations, SignalDeviations
 from linkwright.studies.accuracy.stackup import larger
 from linkwright.studies.figures import columns
 from linkwright.studies.sampling_options import signal_faults
@@ -59,12 +59,12 @@ def add_allocation(outcome: AccuracyOutcome) -> None:
     outcome.warnings += notes
 
 
-def _of_figure(figure: Figure) -> Output:
+def _of_figure(figure: OutputDeviations) -> Output:
     """One row; of a tie the larger coefficients, which are safe for each of its places."""
     return Output(larger(figure.coefficients)[None], figure.column.dimension, figure.column.unit, figure.column.size)
 
 
-def _of_curve(curve: Curve) -> Output:
+def _of_curve(curve: SignalDeviations) -> Output:
     """A row for each pose."""
     rows = curve.coefficients.T
     return Output(rows[np.isfinite(rows).all(axis=1)], curve.dimension, curve.unit, curve.size)

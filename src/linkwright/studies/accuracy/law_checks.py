@@ -10,7 +10,7 @@ import numpy as np
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.kernels.motion_faults import asking
-from linkwright.kernels.motions import Reader
+from linkwright.kernels.motions import MotionReader
 from linkwright.kernels.tables import open_ends
 from linkwright.laws import MotionError
 from linkwright.laws.motion import jumping
@@ -28,7 +28,7 @@ def check_laws(compiled: Compiled, deviations: Contributors) -> Iterator[Finding
             name
             for name, given in moved.items()
             if any(isinstance(given[own], Dual) for own in motion.names)
-            and _senseless(Reader(quantities, m.laws[law], given), law in askers)
+            and _senseless(MotionReader(quantities, m.laws[law], given), law in askers)
         ]
         if wrong:
             yield Finding("accuracy.law", ("laws", law), {"law": law, "names": ", ".join(wrong)})
@@ -44,7 +44,7 @@ def _moved(compiled: Compiled, one: Contributor) -> dict[str, float | Dual]:
     return {name: Dual(value, np.array([[slope]])) if slope else value for (name, value), slope in rows}
 
 
-def _senseless(reader: Reader, asked: bool) -> bool:
+def _senseless(reader: MotionReader, asked: bool) -> bool:
     """Whether a law makes no sense, or jumps where a drive or cam asks it."""
     try:
         made = reader.motion()

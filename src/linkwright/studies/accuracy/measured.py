@@ -38,7 +38,7 @@ _HEADER = re.compile(r"\s*(.*?)\s*(?:\[([^\[\]]*)\])?\s*", re.S)
 
 
 @dataclass(frozen=True)
-class Column:
+class MeasuredColumn:
     """What a column holds: an expression of signals or ``t``, its dimension, the SI value of its unit."""
 
     text: str
@@ -49,12 +49,12 @@ class Column:
 
 
 @dataclass(frozen=True, eq=False)
-class Sheet:
+class MeasuredRows:
     """Rows of measurements in SI: the place of each, ``at`` (rows,), and ``values`` (outputs, rows), NaN where a cell
     is empty; ``numbers`` are those of the rows in their file."""
 
-    place: Column
-    outputs: tuple[Column, ...]
+    place: MeasuredColumn
+    outputs: tuple[MeasuredColumn, ...]
     at: Array
     values: Array
     numbers: tuple[int, ...]
@@ -74,7 +74,7 @@ def driving(compiled: Compiled) -> list[str]:
 
 def read(
     compiled: Compiled, raw: Sequence[Mapping[str, Expression]], at: str | None
-) -> tuple[Sheet | None, list[Finding]]:
+) -> tuple[MeasuredRows | None, list[Finding]]:
     """Points that stand in the model, and what is wrong with them."""
     path, names = (*PATH, "points"), list(dict.fromkeys(name for row in raw for name in row))
     place, outputs, findings = _columns(compiled, [(name, None) for name in names], at, path)
@@ -94,7 +94,9 @@ def read(
     return _sheet(place, outputs, names, rows, range(1, len(raw) + 1), path, findings)
 
 
-def read_file(compiled: Compiled, file: str, at: str | None, folder: Path | None) -> tuple[Sheet | None, list[Finding]]:
+def read_file(
+    compiled: Compiled, file: str, at: str | None, folder: Path | None
+) -> tuple[MeasuredRows | None, list[Finding]]:
     """A CSV file, and what is wrong with it. Its first line names the columns, with units as in ``E.x [mm]``."""
     path = (*PATH, "file")
     try:
@@ -119,14 +121,14 @@ def read_file(compiled: Compiled, file: str, at: str | None, folder: Path | None
 
 
 def _sheet(
-    place: Column | None,
-    outputs: list[Column],
+    place: MeasuredColumn | None,
+    outputs: list[MeasuredColumn],
     names: list[str],
     rows: list[list[float]],
     numbers: Sequence[int],
     path: Path_,
     findings: list[Finding],
-) -> tuple[Sheet | None, list[Finding]]:
+) -> tuple[MeasuredRows | None, list[Finding]]:
     if not findings and (not rows or not outputs):
         findings = [Finding("accuracy.nothing-measured", path)]
     if findings or place is None:
@@ -135,12 +137,12 @@ def _sheet(
     others = [i for i, name in enumerate(names) if name != place.text]
     if empty := [names[i] for i in others if np.isnan(table[i]).all()]:
         return None, [Finding("accuracy.empty-column", path, {"name": name[:60]}) for name in empty]
-    return Sheet(place, tuple(outputs), table[names.index(place.text)], table[others], tuple(numbers), path), []
+    return MeasuredRows(place, tuple(outputs), table[names.index(place.text)], table[others], tuple(numbers), path), []
 
 
 def _columns(
     compiled: Compiled, headers: Sequence[tuple[str, str | None]], at: str | None, path: Path_
-) -> tuple[Column | None, list[Column], list[Finding]]:
+) -> tuple[MeasuredColumn | None, list[MeasuredColumn], list[Finding]]:
     """The column of places, those of outputs, and what is wrong with them."""
     names, known = [name for name, _ in headers], ["t", *driving(compiled)]
     where = at or next((name for name in names if name in known), None)
@@ -165,11 +167,13 @@ def _columns(
     return place, outputs, findings
 
 
-def _time(compiled: Compiled, written: str | None, path: Path_, findings: list[Finding]) -> Column | None:
+def _time(compiled: Compiled, written: str | None, path: Path_, findings: list[Finding]) -> MeasuredColumn | None:
     return _sized(compiled, "t", None, u.TIME, written, path, findings)
 
 
-def _column(compiled: Compiled, name: str, written: str | None, path: Path_, findings: list[Finding]) -> Column | None:
+def _column(
+    compiled: Compiled, name: str, written: str | None, path: Path_, findings: list[Finding]
+) -> MeasuredColumn | None:
     quantities = compiled.quantities
     expression: Expression | None
     try:
@@ -195,7 +199,7 @@ def _sized(
     written: str | None,
     path: Path_,
     findings: list[Finding],
-) -> Column | None:
+) -> MeasuredColumn | None:
     """A column with its unit: the one written in its name, else the declared one."""
     quantities = compiled.quantities
     try:
@@ -205,7 +209,7 @@ def _sized(
                 data = {"name": name[:60], "unit": written[:40], "usual": quantities.unit_of(dimension)[0]}
                 findings.append(Finding("accuracy.measured-unit", path, data))
                 return None
-            return Column(name, tree, dimension, written, size)
+            return MeasuredColumn(name, tree, dimension, written, size)
         size = declared_scale(dimension, quantities.declared)
     except UnitError as error:
         findings.append(Finding("units.unknown", path, {"word": str(error)[:40]}))
@@ -213,10 +217,10 @@ def _sized(
     except DimensionError as error:
         findings.append(Finding(error.key, path, quantities.spelt(error.data)))
         return None
-    return Column(name, tree, dimension, quantities.unit_of(dimension)[0], size)
+    return MeasuredColumn(name, tree, dimension, quantities.unit_of(dimension)[0], size)
 
 
-def times(run: Run, sheet: Sheet) -> tuple[Array, list[Finding]]:
+def times(run: Run, sheet: MeasuredRows) -> tuple[Array, list[Finding]]:
     """The time (s) of each row on the nominal motion, (rows,); rows without one, or with several of other outputs."""
     if sheet.place.text == "t":
         span = run.stop - run.start
@@ -226,13 +230,13 @@ def times(run: Run, sheet: Sheet) -> tuple[Array, list[Finding]]:
     return _looked_up(run, sheet)
 
 
-def _nowhere(sheet: Sheet, row: int) -> Finding:
+def _nowhere(sheet: MeasuredRows, row: int) -> Finding:
     value, column = sheet.at[row] / sheet.place.size, sheet.place
     data = {"row": sheet.numbers[row], "name": column.text, "value": f"{value:.6g}", "unit": column.unit}
     return Finding("accuracy.no-pose", sheet.path, data)
 
 
-def _looked_up(run: Run, sheet: Sheet) -> tuple[Array, list[Finding]]:
+def _looked_up(run: Run, sheet: MeasuredRows) -> tuple[Array, list[Finding]]:
     name = [sheet.place.text]
     grid = np.linspace(run.start, run.stop, max(run.grid, LOOK) + 1)
     y = run.evaluate(name, grid)[0]
@@ -272,7 +276,7 @@ def _looked_up(run: Run, sheet: Sheet) -> tuple[Array, list[Finding]]:
     return at, findings
 
 
-def _same(run: Run, sheet: Sheet, t: Array) -> bool:
+def _same(run: Run, sheet: MeasuredRows, t: Array) -> bool:
     """Whether all outputs are the same at some times."""
     every = np.concatenate([t, run.t])
     for column in sheet.outputs:
@@ -286,7 +290,7 @@ def _same(run: Run, sheet: Sheet, t: Array) -> bool:
     return True
 
 
-def sigmas(compiled: Compiled, sheet: Sheet, given: Mapping[str, Expression]) -> tuple[Array, list[Finding]]:
+def sigmas(compiled: Compiled, sheet: MeasuredRows, given: Mapping[str, Expression]) -> tuple[Array, list[Finding]]:
     """The standard deviation of each output in SI, NaN where none is given, and what is wrong with them."""
     found, findings = _sigmas(compiled, sheet.outputs, given)
     return found, [*_unknown(sheet, given), *findings]
@@ -299,7 +303,7 @@ def check_sigmas(compiled: Compiled, given: Mapping[str, Expression]) -> list[Fi
 
 
 def _sigmas(
-    compiled: Compiled, outputs: Sequence[Column], given: Mapping[str, Expression]
+    compiled: Compiled, outputs: Sequence[MeasuredColumn], given: Mapping[str, Expression]
 ) -> tuple[Array, list[Finding]]:
     found, findings = np.full(len(outputs), np.nan), list[Finding]()
     for i, column in enumerate(outputs):
@@ -312,7 +316,7 @@ def _sigmas(
     return found, findings
 
 
-def _unknown(sheet: Sheet, given: Mapping[str, Expression]) -> Iterator[Finding]:
+def _unknown(sheet: MeasuredRows, given: Mapping[str, Expression]) -> Iterator[Finding]:
     known = [column.text for column in sheet.outputs]
     for name in given:
         if name not in known:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.findings import Finding
-from linkwright.kernels.kernel_selection import Choice
+from linkwright.kernels.kernel_selection import KernelChoice
 from linkwright.measures import BoundMeasure
 from linkwright.results import Run
 from linkwright.studies.accuracy import intervals
@@ -22,7 +22,7 @@ from linkwright.studies.accuracy.copula import copula
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.outcome import MonteCarlo
 from linkwright.studies.plans import PLANS
-from linkwright.studies.run_context import Site
+from linkwright.studies.run_context import RunContext
 from linkwright.studies.sampling import Performed, chosen, perform
 from linkwright.studies.sampling_output import MARKS
 from linkwright.studies.shares import wilson
@@ -32,14 +32,14 @@ PATH = ("studies", "accuracy")
 
 
 @dataclass
-class Random:
+class SampleStatistics:
     """What the random samples say: of ``figures`` by the name of their column, of ``curves`` by the signal's text, as
     :attr:`Curve.sampled` has them. ``state`` are files from which the same study would go on; it took ``seconds`` this
     time."""
 
     samples: int
     failed: int
-    choice: Choice
+    choice: KernelChoice
     figures: dict[str, MonteCarlo] = field(default_factory=dict)
     curves: dict[str, Array] = field(default_factory=dict)
     state: tuple[Path, ...] = ()
@@ -57,14 +57,16 @@ def check_monte_carlo(options: AccuracyOptions, contributors: Contributors) -> I
         yield from copula(contributors).findings
 
 
-def monte_carlo(nominal: Run, options: AccuracyOptions, site: Site, more: tuple[BoundMeasure, ...] = ()) -> Random:
+def monte_carlo(
+    nominal: Run, options: AccuracyOptions, site: RunContext, more: tuple[BoundMeasure, ...] = ()
+) -> SampleStatistics:
     """Compute the random samples that the options ask for, with ``more`` measures of each.
 
     Raises :class:`Interrupted`, and :class:`ModelError` where it can't be carried on.
     """
     choice = chosen(nominal, options, more)
     done = perform(nominal, options, choice.kernel, site, more)
-    found = Random(options.samples, done.failed, choice, state=tuple(done.kept.files), seconds=done.seconds)
+    found = SampleStatistics(options.samples, done.failed, choice, state=tuple(done.kept.files), seconds=done.seconds)
     if done.task.figures.columns:
         found.figures = _figures(done)
     if done.task.signals.texts:

@@ -14,7 +14,7 @@ from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.results import Result, Run
 from linkwright.studies.accuracy.contributors import Contributors
-from linkwright.studies.figures import Column
+from linkwright.studies.figures import FigureColumn
 
 if TYPE_CHECKING:
     from linkwright.studies.accuracy.options import AccuracyOptions
@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class Searched:
+class SearchedWorstCase:
     """The worst case found by evaluating the mechanism itself: deviations of the figure from the nominal one.
 
     ``low_at`` and ``high_at`` (contributors,) are the deviations at which it was found; ``off`` is how far the linear
@@ -79,7 +79,7 @@ class PlayEffect:
 
 
 @dataclass
-class Figure:
+class OutputDeviations:
     """One figure and what deviations do to it.
 
     ``coefficients`` (contributors, 2) are its derivatives by each deviation, below and above the nominal value; they
@@ -89,7 +89,7 @@ class Figure:
     deviation and standard deviation (RSS); ``shares`` (contributors,) are those of each in sigma squared.
     """
 
-    column: Column
+    column: FigureColumn
     nominal: float
     time: float | None
     coefficients: Array
@@ -98,7 +98,7 @@ class Figure:
     mean: float = 0.0
     sigma: float = 0.0
     shares: Array = field(default_factory=lambda: np.empty(0))
-    searched: Searched | None = None
+    searched: SearchedWorstCase | None = None
     monte_carlo: MonteCarlo | None = None
     play: PlayEffect | None = None
 
@@ -114,7 +114,7 @@ class Figure:
 
 
 @dataclass
-class Curve:
+class SignalDeviations:
     """A signal over the run: ``nominal`` (poses,), ``coefficients`` (contributors, poses), the linear worst case
     ``worst`` (2, poses), ``mean`` and ``sigma`` (poses,) of the deviation; all deviations from the nominal value.
 
@@ -134,8 +134,8 @@ class Curve:
     mean: Array
     sigma: Array
     widest: int
-    figure: Figure = field(init=False)
-    positions: dict[str, Figure] = field(default_factory=dict)
+    figure: OutputDeviations = field(init=False)
+    positions: dict[str, OutputDeviations] = field(default_factory=dict)
     sampled: Array | None = None
     play: Array | None = None
 
@@ -164,8 +164,8 @@ class AccuracyOutcome:
     options: AccuracyOptions
     run: Run
     contributors: Contributors
-    figures: dict[str, Figure] = field(default_factory=dict)
-    curves: dict[str, Curve] = field(default_factory=dict)
+    figures: dict[str, OutputDeviations] = field(default_factory=dict)
+    curves: dict[str, SignalDeviations] = field(default_factory=dict)
     joints: list[JointPlay] = field(default_factory=list)
     allocation: Any = None
     calibration: Any = None
@@ -187,7 +187,7 @@ class AccuracyOutcome:
         return Result(self.run)
 
     @property
-    def every(self) -> dict[str, Figure]:
+    def every(self) -> dict[str, OutputDeviations]:
         """All figures by name: those of measures, those of signals at the widest pose, those at named positions."""
         found = dict(self.figures)
         for text, curve in self.curves.items():

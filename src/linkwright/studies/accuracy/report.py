@@ -14,7 +14,7 @@ from linkwright.presentation.cells import Unit, percent
 from linkwright.studies.accuracy.charts import curve_charts, figure_charts
 from linkwright.studies.accuracy.design_report import design_sentences
 from linkwright.studies.accuracy.disagreement import along, disagreement
-from linkwright.studies.accuracy.outcome import AccuracyOutcome, Curve, Figure
+from linkwright.studies.accuracy.outcome import AccuracyOutcome, OutputDeviations, SignalDeviations
 from linkwright.studies.accuracy.summary import accuracy_entry
 from linkwright.studies.accuracy.tables import deviation, further, moment, overview, review, review_text
 
@@ -59,7 +59,7 @@ def _outputs(outcome: AccuracyOutcome) -> Iterator[list[Block]]:
         ]
 
 
-def _remarks(figure: Figure, outcome: AccuracyOutcome, brief: bool = False) -> Iterable[Text]:
+def _remarks(figure: OutputDeviations, outcome: AccuracyOutcome, brief: bool = False) -> Iterable[Text]:
     """What is to be known of a figure; ``brief``, only what is amiss."""
     found, size = figure.searched, figure.column.size
     if (parted := disagreement(figure, outcome)) and (text := parted.sentence(figure.name)):
@@ -76,7 +76,7 @@ def _remarks(figure: Figure, outcome: AccuracyOutcome, brief: bool = False) -> I
         yield Said("accuracy.tie", name=figure.name)
 
 
-def _along(curve: Curve, outcome: AccuracyOutcome) -> Iterable[Text]:
+def _along(curve: SignalDeviations, outcome: AccuracyOutcome) -> Iterable[Text]:
     """Where samples and RSS of a signal part ways."""
     places = np.flatnonzero(along(curve, outcome))
     if places.size:

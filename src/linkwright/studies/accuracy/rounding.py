@@ -33,7 +33,7 @@ NEAR = 0.8
 
 
 @dataclass(frozen=True, eq=False)
-class Choice:
+class RoundedWidths:
     """Half-widths (free items,) with label and half-width of each; None where no choice keeps the targets, or none is
     found. ``bound`` is a cost that no choice can go below; ``proven`` that there is none better."""
 
@@ -43,19 +43,21 @@ class Choice:
     proven: bool
 
 
-def rounded(problem: Problem, halves: Array, multipliers: Array, least: float, most: int = MOST) -> Choice:
+def rounded(problem: Problem, halves: Array, multipliers: Array, least: float, most: int = MOST) -> RoundedWidths:
     """The cheapest choice. ``least`` is the cost of the continuous optimum ``halves`` with its ``multipliers``."""
     options = [problem.items[i].choices for i in problem.free]
     costs = [np.array([law.cost(half) for _, half in some]) for law, some in zip(problem.laws, options, strict=True)]
     rows = _rows(problem, halves, multipliers)
     uses = _separated(problem, halves, rows, options)
-    search = _Search(problem, options, costs, uses, multipliers[rows], most)
+    search = _RoundingSearch(problem, options, costs, uses, multipliers[rows], most)
     search.run(_first(problem, options, halves))
     bound = max(least, search.root)
     if search.best is None:
-        return Choice(None, None, bound, search.whole)
+        return RoundedWidths(None, None, bound, search.whole)
     labels = [some[k] for some, k in zip(options, search.best, strict=True)]
-    return Choice(np.array([half for _, half in labels]), labels, search.cost if search.whole else bound, search.whole)
+    return RoundedWidths(
+        np.array([half for _, half in labels]), labels, search.cost if search.whole else bound, search.whole
+    )
 
 
 def _rows(problem: Problem, halves: Array, multipliers: Array) -> list[int]:
@@ -137,7 +139,7 @@ def _near(problem: Problem, halves: Array) -> Problem:
     return replace(problem, demands=demands or problem.demands)
 
 
-class _Search:
+class _RoundingSearch:
     """Depth first, the cheapest first."""
 
     def __init__(

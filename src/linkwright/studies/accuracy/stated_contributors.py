@@ -16,7 +16,7 @@ from linkwright.studies.accuracy.correlated import matrix
 from linkwright.studies.accuracy.parameter_chain import derivatives
 from linkwright.studies.accuracy.stated_options import DeviationOptions
 from linkwright.studies.accuracy.thermal import thermal
-from linkwright.studies.accuracy.tolerance_reader import PATH, Moving, Reader
+from linkwright.studies.accuracy.tolerance_reader import PATH, Moving, ToleranceReader
 from linkwright.studies.accuracy.toleranced import toleranced
 from linkwright.tolerances import NoTolerance
 
@@ -42,7 +42,7 @@ def skipped(compiled: Compiled, options: DeviationOptions) -> list[Finding]:
     return [Finding("tolerance.skipped", (*PATH, "general"), data, severity="warning")] if names else []
 
 
-class _Stated(Reader):
+class _Stated(ToleranceReader):
     """All deviations of a study, and how the parameters follow them."""
 
     def __init__(self, compiled: Compiled, options: DeviationOptions) -> None:

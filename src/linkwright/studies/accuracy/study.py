@@ -22,7 +22,7 @@ from linkwright.studies.accuracy.inverse_problems import add_allocation, add_cal
 from linkwright.studies.accuracy.law_checks import check_laws
 from linkwright.studies.accuracy.monte_carlo import check_monte_carlo, monte_carlo
 from linkwright.studies.accuracy.options import AccuracyOptions
-from linkwright.studies.accuracy.outcome import AccuracyOutcome, Figure
+from linkwright.studies.accuracy.outcome import AccuracyOutcome, OutputDeviations
 from linkwright.studies.accuracy.positions import WIDEST, PlacedSignal, check_positions, placed_signals
 from linkwright.studies.accuracy.report import report
 from linkwright.studies.accuracy.signal_sensitivities import Slopes
@@ -30,7 +30,7 @@ from linkwright.studies.accuracy.stated_contributors import check_contributors, 
 from linkwright.studies.accuracy.worst_case_vertices import check_searched, evaluating, search
 from linkwright.studies.cycle.options import span
 from linkwright.studies.registry import Command, Setting, Study, register
-from linkwright.studies.run_context import Site
+from linkwright.studies.run_context import RunContext
 from linkwright.studies.sampling import refused
 from linkwright.studies.sampling_options import check_outputs, check_span
 
@@ -63,7 +63,7 @@ class AccuracyStudy(Study):
         deviations = contributors(compiled, options)
         return Deviations(compiled, deviations, options.plan, options.samples, options.seed)
 
-    def run(self, compiled: Compiled, options: AccuracyOptions, site: Site) -> AccuracyOutcome:
+    def run(self, compiled: Compiled, options: AccuracyOptions, site: RunContext) -> AccuracyOutcome:
         """Transfer coefficients, worst case, root sum square, random samples, and what is asked of these."""
         compiled = self.sampled_mechanism(compiled)
         nominal = Run(compiled, 0.0, span(compiled, options.cycle)[0], options.steps)
@@ -141,7 +141,7 @@ def _check_derivatives(compiled: Compiled, options: AccuracyOptions) -> Iterator
             yield Finding("accuracy.no-derivative", ("studies", "accuracy", "outputs"), data)
 
 
-def _valueless(measures: Sequence[BoundMeasure], every: Mapping[str, Figure]) -> Iterator[Finding]:
+def _valueless(measures: Sequence[BoundMeasure], every: Mapping[str, OutputDeviations]) -> Iterator[Finding]:
     """Measures without a value at the nominal dimensions, and signals without one at a position."""
     known = {figure.column.measure for figure in every.values()}
     for measure in measures:
@@ -149,7 +149,7 @@ def _valueless(measures: Sequence[BoundMeasure], every: Mapping[str, Figure]) ->
             yield Finding("measure.not-finite", measure.path, {"name": measure.name}, severity="warning")
 
 
-def _place(outcome: AccuracyOutcome, every: Mapping[str, Figure], placed: Sequence[PlacedSignal]) -> None:
+def _place(outcome: AccuracyOutcome, every: Mapping[str, OutputDeviations], placed: Sequence[PlacedSignal]) -> None:
     """Give each figure its place in the outcome: a measure's, or that of a signal at a position. A signal without any
     value has no curve."""
     places = {signal.measure.name: signal for signal in placed}

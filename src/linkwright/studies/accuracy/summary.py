@@ -15,12 +15,12 @@ from linkwright.studies.accuracy.design_report import allocation_entry, calibrat
 from linkwright.studies.accuracy.disagreement import along, disagreement
 from linkwright.studies.accuracy.outcome import (
     AccuracyOutcome,
-    Curve,
-    Figure,
     JointPlay,
     MonteCarlo,
+    OutputDeviations,
     PlayEffect,
-    Searched,
+    SearchedWorstCase,
+    SignalDeviations,
 )
 
 Array = NDArray[np.float64]
@@ -42,12 +42,12 @@ def per(unit: str, other: str) -> str:
     return f"{unit or 1}/{below}" if other else unit
 
 
-def ranked(figure: Figure) -> list[int]:
+def ranked(figure: OutputDeviations) -> list[int]:
     """The contributors of a figure, the one with the largest share first."""
     return [int(i) for i in np.argsort(-np.nan_to_num(figure.shares), kind="stable")]
 
 
-def part(figure: Figure, index: int, contributor: Contributor) -> tuple[float, float]:
+def part(figure: OutputDeviations, index: int, contributor: Contributor) -> tuple[float, float]:
     """What one contributor alone does to a figure at its limit deviations, to first order: least and largest."""
     below, above = figure.coefficients[index]
     ends = [d * (below if d < 0 else above) for d in (contributor.low, contributor.high)]
@@ -56,7 +56,7 @@ def part(figure: Figure, index: int, contributor: Contributor) -> tuple[float, f
     return min(ends), max(ends)
 
 
-def _output(figure: Figure, outcome: AccuracyOutcome) -> dict[str, Any]:
+def _output(figure: OutputDeviations, outcome: AccuracyOutcome) -> dict[str, Any]:
     """One figure; limits are those of the output itself, deviations those from its nominal value."""
     size, quantities = figure.column.size, outcome.compiled.quantities
     time_unit, second = quantities.unit_of(TIME)
@@ -89,7 +89,7 @@ def _output(figure: Figure, outcome: AccuracyOutcome) -> dict[str, Any]:
     return entry | {"disagreement": parted and {**parted.as_dict(), "sentence": sentence}}
 
 
-def _curve(curve: Curve, outcome: AccuracyOutcome) -> dict[str, Any]:
+def _curve(curve: SignalDeviations, outcome: AccuracyOutcome) -> dict[str, Any]:
     """A signal: its figure at the widest pose, those at named positions, and how many poses are far from linear."""
     entry = _output(curve.figure, outcome)
     entry["positions"] = {name: _output(figure, outcome) for name, figure in curve.positions.items()}
@@ -97,7 +97,7 @@ def _curve(curve: Curve, outcome: AccuracyOutcome) -> dict[str, Any]:
     return entry | {"poses": curve.t.size, "poses_parted": int(parted.sum())}
 
 
-def _searched(found: Searched, figure: Figure, outcome: AccuracyOutcome) -> dict[str, Any]:
+def _searched(found: SearchedWorstCase, figure: OutputDeviations, outcome: AccuracyOutcome) -> dict[str, Any]:
     size = figure.column.size
     at = {
         end: {c.name: known(float(d) / c.size) for c, d in zip(outcome.contributors.every, where, strict=True)}
@@ -136,7 +136,7 @@ def _monte_carlo(found: MonteCarlo, size: float) -> dict[str, Any]:
     }
 
 
-def _play(found: PlayEffect, figure: Figure) -> dict[str, Any]:
+def _play(found: PlayEffect, figure: OutputDeviations) -> dict[str, Any]:
     """``low`` and ``high`` are limits of the output with worst tolerances and worst directions of all clearances."""
     size = figure.column.size
     return {
@@ -151,7 +151,7 @@ def _play(found: PlayEffect, figure: Figure) -> dict[str, Any]:
     }
 
 
-def _contribution(figure: Figure, index: int, outcome: AccuracyOutcome) -> dict[str, Any]:
+def _contribution(figure: OutputDeviations, index: int, outcome: AccuracyOutcome) -> dict[str, Any]:
     contributor, size = outcome.contributors.every[index], figure.column.size
     below, above = (float(c) * contributor.size / size for c in figure.coefficients[index])
     entry: dict[str, Any] = {

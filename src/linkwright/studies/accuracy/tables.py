@@ -8,9 +8,9 @@ from math import floor, inf, log10
 from linkwright.expressions.units import TIME
 from linkwright.findings import Joined, Said, Text
 from linkwright.presentation.blocks import Table, table
-from linkwright.presentation.cells import UNKNOWN, Cell, Number, Numbers, percent
+from linkwright.presentation.cells import UNKNOWN, Cell, NumberCell, Numbers, percent
 from linkwright.studies.accuracy.design_report import design_tables
-from linkwright.studies.accuracy.outcome import AccuracyOutcome, Figure, MonteCarlo
+from linkwright.studies.accuracy.outcome import AccuracyOutcome, MonteCarlo, OutputDeviations
 from linkwright.studies.accuracy.summary import WIDE, part, per, ranked, study_entry
 
 FIRST = 3
@@ -33,7 +33,7 @@ def further(outcome: AccuracyOutcome) -> list[Table]:
     return [_correlations(outcome), _play(outcome), _joints(outcome), *design]
 
 
-def _places(outcome: AccuracyOutcome) -> Iterator[tuple[str, Text, Figure]]:
+def _places(outcome: AccuracyOutcome) -> Iterator[tuple[str, Text, OutputDeviations]]:
     """Each output, the name of a position, and the figure there."""
     yield from ((name, "", figure) for name, figure in outcome.figures.items())
     for text, curve in outcome.curves.items():
@@ -41,7 +41,7 @@ def _places(outcome: AccuracyOutcome) -> Iterator[tuple[str, Text, Figure]]:
         yield from ((text, name, figure) for name, figure in curve.positions.items())
 
 
-def _line(name: str, position: Text, figure: Figure, outcome: AccuracyOutcome) -> list[Cell]:
+def _line(name: str, position: Text, figure: OutputDeviations, outcome: AccuracyOutcome) -> list[Cell]:
     first = [(outcome.contributors.every[i].name, float(figure.shares[i])) for i in ranked(figure)[:FIRST]]
     told = ", ".join(f"{name} {percent(share, 2)}" for name, share in first if share > 0)
     ranges = (_range(ends, figure) for ends in _totals(figure).values())
@@ -49,12 +49,12 @@ def _line(name: str, position: Text, figure: Figure, outcome: AccuracyOutcome) -
     return [name, _at(position, figure, outcome), _nominal(figure), *ranges, _range(play, figure), told or UNKNOWN]
 
 
-def _at(position: Text, figure: Figure, outcome: AccuracyOutcome) -> Text:
+def _at(position: Text, figure: OutputDeviations, outcome: AccuracyOutcome) -> Text:
     time = "" if figure.time is None else moment(figure.time, outcome)
     return Joined(filter(None, (position, time)), ": ") if position or time else UNKNOWN
 
 
-def _totals(figure: Figure) -> dict[str, tuple[float, ...]]:
+def _totals(figure: OutputDeviations) -> dict[str, tuple[float, ...]]:
     """Deviations of worst case, RSS, Monte Carlo (none without samples), in the figure's unit."""
     wide, found, size = WIDE * figure.sigma, figure.monte_carlo, figure.column.size
     sampled = () if found is None else [end - figure.nominal for end in found.interval]
@@ -62,18 +62,18 @@ def _totals(figure: Figure) -> dict[str, tuple[float, ...]]:
     return {key: tuple(end / size for end in pair) for key, pair in ends.items()}
 
 
-def review(figure: Figure, outcome: AccuracyOutcome) -> Table:
+def review(figure: OutputDeviations, outcome: AccuracyOutcome) -> Table:
     """A figure's contributors as a drawing review wants them, with what they come to."""
     heads = ("dimension", "nominal", "tolerance", "limits", "coefficient", "share", "contribution")
     size, unit, rows = figure.column.size, figure.column.unit, list[list[Cell]]()
     for i in ranked(figure):
         one = outcome.contributors.every[i]
-        coefficients = [Number(float(c), 5) for c in figure.coefficients[i] * one.size / size]
-        limits = [Number(end / one.size, 6, signed=True) for end in (one.low, one.high)]
+        coefficients = [NumberCell(float(c), 5) for c in figure.coefficients[i] * one.size / size]
+        limits = [NumberCell(end / one.size, 6, signed=True) for end in (one.low, one.high)]
         rows.append(
             [
                 one.name,
-                Number(one.nominal / one.size, 6, one.unit),
+                NumberCell(one.nominal / one.size, 6, one.unit),
                 one.stated,
                 Numbers(limits, one.unit, " / "),
                 Numbers(coefficients if figure.tie else coefficients[1:], per(unit, one.unit), " / "),
@@ -86,7 +86,7 @@ def review(figure: Figure, outcome: AccuracyOutcome) -> Table:
     return _table("review", heads, rows, outcome, figure.name)
 
 
-def review_text(figure: Figure, outcome: AccuracyOutcome) -> str:
+def review_text(figure: OutputDeviations, outcome: AccuracyOutcome) -> str:
     """The same for a spreadsheet: tab-separated, plain numbers, their units in columns of their own."""
     heads = (
         "dimension", "nominal", "unit", "tolerance", "lower", "upper", "coefficient", "coefficient_unit", "share",
@@ -96,7 +96,7 @@ def review_text(figure: Figure, outcome: AccuracyOutcome) -> str:
     rows: list[list[Cell]] = [[_head(head, outcome) for head in heads]]
 
     def plain(*values: float) -> list[Cell]:
-        return [Number(value, 10, unknown="") for value in values]
+        return [NumberCell(value, 10, unknown="") for value in values]
 
     for i in ranked(figure):
         one = outcome.contributors.every[i]
@@ -112,7 +112,7 @@ def review_text(figure: Figure, outcome: AccuracyOutcome) -> str:
 
 def _correlations(outcome: AccuracyOutcome) -> Table:
     pairs = study_entry(outcome)["correlations"]
-    rows = [[*pair["of"], Number(pair["is"], 6)] for pair in pairs]
+    rows = [[*pair["of"], NumberCell(pair["is"], 6)] for pair in pairs]
     return _table("correlations", ("dimension", "dimension", "correlation"), rows, outcome)
 
 
@@ -136,11 +136,13 @@ def _joints(outcome: AccuracyOutcome) -> Table:
     rows = []
     for joint in study_entry(outcome)["joints"]:
         lost = [
-            Said("accuracy.lost", **{key: Number(at[end], 6) for key, end in _LOST}, unit=at["unit"], why=at["cause"])
+            Said(
+                "accuracy.lost", **{key: NumberCell(at[end], 6) for key, end in _LOST}, unit=at["unit"], why=at["cause"]
+            )
             for at in joint["contact_lost"]
         ]
         reaction = [_fixed(joint[f"reaction_{end}"], joint["reaction_max"], 4) for end in ("min", "max")]
-        clearance = Number(joint["clearance"], 6, joint["unit"])
+        clearance = NumberCell(joint["clearance"], 6, joint["unit"])
         told = Joined(lost, "\n") if lost else Said("accuracy.kept")
         links = Joined(joint["links"])
         rows.append([joint["joint"], links, clearance, Numbers(reaction, joint["reaction_unit"]), told])
@@ -165,37 +167,37 @@ def _head(key: str, outcome: AccuracyOutcome) -> Said:
 # Numbers.
 
 
-def _scale(figure: Figure) -> float:
+def _scale(figure: OutputDeviations) -> float:
     """How large a figure's deviations are, in its unit."""
     play = 0.0 if figure.play is None else figure.play.bound
     return max(figure.half, abs(figure.worst[0]), abs(figure.worst[1]), figure.sigma, play) / figure.column.size
 
 
-def _fixed(value: float | None, scale: float | None, digits: int, unit: str = "", signed: bool = False) -> Number:
+def _fixed(value: float | None, scale: float | None, digits: int, unit: str = "", signed: bool = False) -> NumberCell:
     """A number with so many digits of what is ``scale`` large."""
     if value is None or scale is None:
-        return Number(None)
+        return NumberCell(None)
     decimals = digits - 1 - floor(log10(scale)) if 0 < scale < inf else 12
     if 0 <= decimals <= 9 and abs(value) < 1e9:
-        return Number(value, decimals, unit, form="f", signed=signed)
-    return Number(value, 6, unit, signed=signed)
+        return NumberCell(value, decimals, unit, form="f", signed=signed)
+    return NumberCell(value, 6, unit, signed=signed)
 
 
-def _nominal(figure: Figure) -> Number:
+def _nominal(figure: OutputDeviations) -> NumberCell:
     return _fixed(figure.nominal / figure.column.size, _scale(figure), 3, figure.column.unit)
 
 
-def deviation(value: float, figure: Figure) -> Number:
+def deviation(value: float, figure: OutputDeviations) -> NumberCell:
     """A deviation in the figure's unit, with its sign."""
     return _fixed(value, _scale(figure), 3, signed=True)
 
 
-def _range(ends: Iterable[float], figure: Figure, unit: str = "") -> Numbers:
+def _range(ends: Iterable[float], figure: OutputDeviations, unit: str = "") -> Numbers:
     """Least and largest deviation."""
     return Numbers([deviation(end, figure) for end in ends], unit)
 
 
-def moment(time: float, outcome: AccuracyOutcome) -> Number:
+def moment(time: float, outcome: AccuracyOutcome) -> NumberCell:
     """A time (s) in the file's unit."""
     unit, second = outcome.compiled.quantities.unit_of(TIME)
-    return Number(time / second, 6, unit)
+    return NumberCell(time / second, 6, unit)

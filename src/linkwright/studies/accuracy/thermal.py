@@ -7,12 +7,12 @@ import numpy as np
 from linkwright.expressions import units as u
 from linkwright.expressions.unknown import near
 from linkwright.studies.accuracy.stated_options import Thermal
-from linkwright.studies.accuracy.tolerance_reader import PATH, Moving, Path, Reader
+from linkwright.studies.accuracy.tolerance_reader import PATH, Moving, Path, ToleranceReader
 from linkwright.studies.numbers import interval
 from linkwright.tolerances import EXPANSION
 
 
-def thermal(reader: Reader, name: str, entry: Thermal) -> Moving | None:
+def thermal(reader: ToleranceReader, name: str, entry: Thermal) -> Moving | None:
     """The change of temperature (K); each length L follows it by alpha L."""
     path = (*PATH, "thermal", name)
     if name in reader.tolerances:
@@ -28,7 +28,7 @@ def thermal(reader: Reader, name: str, entry: Thermal) -> Moving | None:
     return Moving(name, 0.0, limits, *spread, u.PURE, text, tuple(moved), weights, "K")
 
 
-def _expansion(reader: Reader, entry: Thermal, path: Path) -> float | None:
+def _expansion(reader: ToleranceReader, entry: Thermal, path: Path) -> float | None:
     """The coefficient of linear expansion in 1e-6/K."""
     if entry.expansion is not None:
         return reader.value(entry.expansion, u.PURE, (*path, "expansion"))
@@ -39,7 +39,7 @@ def _expansion(reader: Reader, entry: Thermal, path: Path) -> float | None:
     return EXPANSION.get(material)
 
 
-def _lengths(reader: Reader, entry: Thermal, path: Path) -> list[str]:
+def _lengths(reader: ToleranceReader, entry: Thermal, path: Path) -> list[str]:
     """The lengths that expand."""
     lengths = [name for name in reader.independent if reader.quantities.dimensions.of(name) == u.LENGTH]
     if entry.parameters is None:

@@ -41,7 +41,7 @@ class Moving:
     unit: str = ""
 
 
-class Reader:
+class ToleranceReader:
     """Reads the deviations of a study, and collects what is wrong with them."""
 
     def __init__(self, compiled: Compiled, options: DeviationOptions) -> None:

@@ -8,13 +8,13 @@ from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression
 from linkwright.findings import Term
 from linkwright.model.tolerances import ClassName
-from linkwright.studies.accuracy.tolerance_reader import Moving, Path, Reader
+from linkwright.studies.accuracy.tolerance_reader import Moving, Path, ToleranceReader
 from linkwright.tolerances import Limits, NoTolerance
 
 Numbers = tuple[Expression, Expression] | Expression
 
 
-def toleranced(reader: Reader, name: str) -> Moving | None:
+def toleranced(reader: ToleranceReader, name: str) -> Moving | None:
     """The deviation of a parameter, which states limits or has the general ones."""
     path: Path = ("parameters", name, "tolerance")
     if name not in reader.independent:
@@ -38,7 +38,7 @@ def toleranced(reader: Reader, name: str) -> Moving | None:
     return Moving(name, nominal, limits, *spread, dimension, _text(stated), (name,), np.ones(1))
 
 
-def _of_numbers(reader: Reader, name: str, stated: Numbers, path: Path) -> Limits | None:
+def _of_numbers(reader: ToleranceReader, name: str, stated: Numbers, path: Path) -> Limits | None:
     q, dimension = reader.quantities, reader.quantities.dimensions.of(name)
     if isinstance(stated, tuple):
         low, high = (q.value(part, dimension) for part in stated)
@@ -51,7 +51,7 @@ def _of_numbers(reader: Reader, name: str, stated: Numbers, path: Path) -> Limit
     return None
 
 
-def _of_class(reader: Reader, name: str, stated: ClassName, path: Path) -> Limits | None:
+def _of_class(reader: ToleranceReader, name: str, stated: ClassName, path: Path) -> Limits | None:
     q, found, side = reader.quantities, stated.found, reader.tolerances[name].side
     dimension, (unit, size) = q.dimensions.of(name), q.unit_of(u.LENGTH)
     asked = abs(q.parameters[name])

@@ -25,7 +25,7 @@ FIRST, LAST = 0.25, 1e-4
 
 
 @dataclass
-class Extreme:
+class LocalExtreme:
     """One side of one figure: the largest ``value`` of ``sign`` times its deviation, found ``at`` the deviations
     (contributors,)."""
 
@@ -39,13 +39,13 @@ class Extreme:
 class Climb:
     """A search for an extreme from a place ``at`` (contributors,), with a ``step``, both in shares of the box."""
 
-    extreme: Extreme
+    extreme: LocalExtreme
     at: Array
     value: float
     step: float = FIRST
 
 
-class Box:
+class DeviationBox:
     """The box ``low`` .. ``low + width`` (contributors,) of deviations. Places in it are given in shares of it,
     (contributors, places). ``nominal`` are the figures' values at no deviation.
 
@@ -56,7 +56,7 @@ class Box:
     def __init__(self, evaluate: Evaluate, low: Array, width: Array, nominal: Mapping[str, float]) -> None:
         self.evaluate, self.low, self.width, self.nominal = evaluate, low, width, nominal
         self.free = np.flatnonzero(width > 0)
-        self.extremes = {name: (Extreme(name, -1.0), Extreme(name, 1.0)) for name in nominal}
+        self.extremes = {name: (LocalExtreme(name, -1.0), LocalExtreme(name, 1.0)) for name in nominal}
         self.looked, self.lost = 0, dict.fromkeys(nominal, 0)
 
     def look(self, places: Array) -> dict[str, Array]:
@@ -73,12 +73,14 @@ class Box:
                     extreme.value, extreme.at = float(value[k]), deviations[:, k]
         return found
 
-    def value(self, extreme: Extreme, row: Array) -> Array:
+    def value(self, extreme: LocalExtreme, row: Array) -> Array:
         """What an extreme wants to be large, of values of its figure."""
         known = extreme.sign * (row - self.nominal[extreme.name])
         return np.where(np.isfinite(known), known, -np.inf)
 
-    def best(self, wanted: Sequence[Extreme], places: Array, found: Mapping[str, Array], count: int) -> Iterator[Climb]:
+    def best(
+        self, wanted: Sequence[LocalExtreme], places: Array, found: Mapping[str, Array], count: int
+    ) -> Iterator[Climb]:
         """Searches from the best places for each extreme that is wanted."""
         for extreme in wanted:
             value = self.value(extreme, found[extreme.name])

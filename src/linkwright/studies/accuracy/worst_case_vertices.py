@@ -19,9 +19,9 @@ from linkwright.measures import BoundMeasure
 from linkwright.results import Run
 from linkwright.studies.accuracy.contributors import Contributors
 from linkwright.studies.accuracy.deviations import Shift
-from linkwright.studies.accuracy.outcome import Figure, Searched
-from linkwright.studies.accuracy.worst_case_local import Box, Evaluate
-from linkwright.studies.figures import Figures
+from linkwright.studies.accuracy.outcome import OutputDeviations, SearchedWorstCase
+from linkwright.studies.accuracy.worst_case_local import DeviationBox, Evaluate
+from linkwright.studies.figures import SampleFigures
 
 Array = NDArray[np.float64]
 
@@ -43,7 +43,7 @@ def evaluating(
     """What evaluates the figures of some measures, by the names of their columns."""
     shift = Shift(run.compiled, contributors)
     varied = Varied(run.compiled, shift.names)
-    figures = Figures(run, varied, measures, kernel)
+    figures = SampleFigures(run, varied, measures, kernel)
 
     def evaluate(deviations: Array) -> dict[str, Array]:
         rows, _ = figures.of(varied.parameters(shift.values(deviations)))
@@ -53,16 +53,16 @@ def evaluating(
 
 
 def search(
-    evaluate: Evaluate, contributors: Contributors, figures: Mapping[str, Figure], share: float
-) -> dict[str, Searched]:
+    evaluate: Evaluate, contributors: Contributors, figures: Mapping[str, OutputDeviations], share: float
+) -> dict[str, SearchedWorstCase]:
     """The worst case of each figure: the deviation at the linear worst vertices, and what a search finds where one of
     these is off by more than ``share`` of the linear width."""
     if not figures or not len(contributors):
         return {}
-    return _Search(evaluate, contributors, figures).found(share)
+    return _VertexSearch(evaluate, contributors, figures).found(share)
 
 
-def check_searched(found: Mapping[str, Searched]) -> Iterator[Finding]:
+def check_searched(found: Mapping[str, SearchedWorstCase]) -> Iterator[Finding]:
     """That places inside the tolerances can't be assembled or followed."""
     worst = max(found.values(), key=lambda one: one.lost, default=None)
     if worst is not None and worst.lost:
@@ -70,16 +70,16 @@ def check_searched(found: Mapping[str, Searched]) -> Iterator[Finding]:
         yield Finding("accuracy.vertices-fail", ("studies", "accuracy"), data, severity="warning")
 
 
-class _Search:
-    def __init__(self, evaluate: Evaluate, contributors: Contributors, figures: Mapping[str, Figure]) -> None:
+class _VertexSearch:
+    def __init__(self, evaluate: Evaluate, contributors: Contributors, figures: Mapping[str, OutputDeviations]) -> None:
         low, width = contributors.low, contributors.high - contributors.low
         nominal = {name: figure.nominal for name, figure in figures.items()}
-        self.figures, self.box = figures, Box(evaluate, low, width, nominal)
+        self.figures, self.box = figures, DeviationBox(evaluate, low, width, nominal)
         self.free, self.random = self.box.free, np.random.default_rng(0)
         self.nominal = np.zeros(low.size)  # the place, or what comes next to it
         self.nominal[self.free] = np.clip(-low[self.free] / width[self.free], 0, 1)
 
-    def found(self, share: float) -> dict[str, Searched]:
+    def found(self, share: float) -> dict[str, SearchedWorstCase]:
         """The worst case of each figure."""
         # Step 1: the two vertices of each figure that the linear coefficients name, and all neighbours that differ in
         # one coordinate, in one batch.
@@ -110,12 +110,12 @@ class _Search:
             box.climb(starts)
         return {name: self.searched(name, off[name]) for name in self.figures}
 
-    def searched(self, name: str, off: float) -> Searched:
+    def searched(self, name: str, off: float) -> SearchedWorstCase:
         """What was found for a figure. A box without a width is the one that is looked at all over."""
         low, high = self.box.extremes[name]
         proven = not self.free.size and np.isfinite(low.value)
         nowhere = np.full(self.nominal.size, np.nan)
-        return Searched(
+        return SearchedWorstCase(
             low=-low.value if low.at.size else np.nan,
             high=high.value if high.at.size else np.nan,
             low_at=low.at if low.at.size else nowhere,
@@ -128,7 +128,7 @@ class _Search:
 
     # Places, in shares of the box: (contributors, places).
 
-    def corners(self, figure: Figure) -> Array:
+    def corners(self, figure: OutputDeviations) -> Array:
         """Where the linear figure is least and largest; in a tie that may be the nominal place of a coordinate."""
         n = self.nominal.size
         # For each contributor choose lower limit, nominal or upper limit, whichever moves the figure most.

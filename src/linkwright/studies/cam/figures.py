@@ -63,7 +63,7 @@ def of_forces(turns: bool) -> dict[str, u.Dimension]:
 
 
 @dataclass(frozen=True)
-class Figure:
+class CamFigure:
     """A figure (SI) and the cam angle (rad) at which it is taken; ``wanted`` are the least and the largest value that
     are required."""
 

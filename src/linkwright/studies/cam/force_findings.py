@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from linkwright.cam.checks import Check
+from linkwright.cam.checks import CamCheck
 from linkwright.cam.contact import NoContact
 from linkwright.expressions import units as u
 from linkwright.findings import Finding, Term
@@ -61,7 +61,7 @@ def _lifts(outcome: CamOutcome) -> Finding:
     return Finding("cam.spring", AT, data)
 
 
-def _over(outcome: CamOutcome, check: Check) -> Finding:
+def _over(outcome: CamOutcome, check: CamCheck) -> Finding:
     """A limit that isn't kept."""
     assert check.limit is not None
     dimension = MEASURES[check.name]

@@ -6,10 +6,10 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from linkwright.cam.contact import Side
+from linkwright.cam.contact import ContactPlace
 from linkwright.cam.disc import Disc
 from linkwright.cam.hertz import STEEL, Material
-from linkwright.cam.loads import Loads
+from linkwright.cam.loads import FollowerLoads
 from linkwright.elements.cam_contact import cam_followers
 from linkwright.expressions import units as u
 from linkwright.findings import Finding
@@ -26,13 +26,13 @@ HARDEST = 0.5
 
 
 @dataclass(frozen=True)
-class Asked:
+class FollowerForces:
     """What acts on a follower, SI. Of the spring's ``rate`` and ``preload`` ``None`` is sized; ``loads`` has 0 there.
 
     ``second`` is the other side of a follower closed by form. ``speeds`` (rad/s) hold ``omega`` too.
     """
 
-    loads: Loads
+    loads: FollowerLoads
     omega: float
     speeds: tuple[float, float]
     rate: float | None = 0.0
@@ -43,12 +43,14 @@ class Asked:
     follower: Material = STEEL
     hertz: float | None = None
     torque: float | None = None
-    second: Side | None = None
+    second: ContactPlace | None = None
     sprung: bool = True
     """Whether springs are looked at: not where form holds the follower and there are none."""
 
 
-def read(compiled: Compiled, name: str, disc: Disc, o: CamForces, number: Number) -> tuple[Asked, list[Finding]]:
+def read(
+    compiled: Compiled, name: str, disc: Disc, o: CamForces, number: Number
+) -> tuple[FollowerForces, list[Finding]]:
     """All numbers, with NaN for those that are wrong; what ``number`` has no findings for."""
     found: list[Finding] = []
     load = along_lift(disc.follower.turns)[2]
@@ -66,7 +68,7 @@ def read(compiled: Compiled, name: str, disc: Disc, o: CamForces, number: Number
             stated[key] = number("forces", "spring", key)
     process, wrong = stated_load(compiled, disc, o.load, load, (*AT, "load"), lambda: number("forces", "load"))
     found += wrong
-    loads = Loads(
+    loads = FollowerLoads(
         number("forces", "inertia"),
         stated["rate"] or 0.0,
         stated["preload"] or 0.0,
@@ -79,7 +81,7 @@ def read(compiled: Compiled, name: str, disc: Disc, o: CamForces, number: Number
         found.append(Finding("cam.together", AT, {"keys": "limits: hertz, width"}))
     if o.width is not None and not (disc.follower.faced or disc.follower.radius > 0):
         found.append(Finding("cam.knife", (*AT, "width")))
-    asked = Asked(
+    asked = FollowerForces(
         loads,
         omega,
         (min(low, omega), max(high, omega)),

@@ -7,13 +7,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from linkwright.cam.checks import Check
+from linkwright.cam.checks import CamCheck
 from linkwright.cam.disc import Disc
-from linkwright.cam.extremes import Extreme
+from linkwright.cam.extremes import CamExtreme
 from linkwright.cam.hertz import Pressure, pressure, rolling
-from linkwright.cam.loads import Forces, Loads, forces
+from linkwright.cam.loads import CamForces, FollowerLoads, forces
 from linkwright.cam.springs import Sized, highest_speed, least_preload, least_rate
-from linkwright.studies.cam.force_numbers import Asked
+from linkwright.studies.cam.force_numbers import FollowerForces
 
 SHORT = 1e-6
 """A preload may be short by this share: what is told to seven digits does."""
@@ -28,15 +28,15 @@ class Pressed:
     ones with the other one as it is (no ``rate`` may do), ``highest`` the speed up to which it stays on (``None``: not
     even at rest); ``None`` all three where form holds it without a spring."""
 
-    asked: Asked
+    asked: FollowerForces
     disc: Disc
-    loads: Loads
+    loads: FollowerLoads
     preload: Sized | None = None
     rate: Sized | None = None
     highest: Sized | None = None
 
     @cached_property
-    def forces(self) -> Forces:
+    def forces(self) -> CamForces:
         """At the speed."""
         return forces(self.disc, self.loads, self.asked.omega, second=self.asked.second)
 
@@ -50,12 +50,12 @@ class Pressed:
         return [pressure(self.forces, a.width, a.cam, a.follower, second) for second in sides]
 
     @cached_property
-    def torque(self) -> Extreme:
+    def torque(self) -> CamExtreme:
         """The largest, either way."""
         return max(self.forces.torque_range, key=lambda one: abs(one.value))
 
     @cached_property
-    def hertz(self) -> Extreme | None:
+    def hertz(self) -> CamExtreme | None:
         """The largest pressure (Pa) of all sides."""
         return max((one.highest for one in self.pressures), key=lambda one: one.value, default=None)
 
@@ -64,7 +64,7 @@ class Pressed:
         """Whether the second side has a contact of its own: a second roller, edge or face."""
         return self.asked.second is not None and self.asked.second.flank < 0
 
-    def spin(self, second: bool = False) -> Extreme | None:
+    def spin(self, second: bool = False) -> CamExtreme | None:
         """The roller's largest speed (rad/s) against its pin, either way; of a groove on the flanks that bear."""
         if not self.disc.follower.radius > 0:
             return None
@@ -77,7 +77,7 @@ class Pressed:
             bear = {part.side for part in f.bearing}
             sides = [side for side, sign in ((f.first, 1), (f.second, -1)) if sign in bear] or sides
         found = [one for side in sides for one in rolling(side, f.omega, f.theta).spin_range]
-        return max((Extreme(abs(one.value), one.theta) for one in found), key=lambda one: one.value)
+        return max((CamExtreme(abs(one.value), one.theta) for one in found), key=lambda one: one.value)
 
     @property
     def short(self) -> bool:
@@ -88,17 +88,17 @@ class Pressed:
         return need - have > SHORT * max(need, have)
 
     @cached_property
-    def least(self) -> Extreme:
+    def least(self) -> CamExtreme:
         """The contact force (N) where it is least at the speed that asks for most."""
         assert self.preload is not None
         return forces(self.disc, self.loads, self.preload.omega).contact_range[0]
 
-    def figures(self) -> Iterator[tuple[str, Extreme]]:
+    def figures(self) -> Iterator[tuple[str, CamExtreme]]:
         """By name, SI; infinite where there is no bound."""
         low, high = self.forces.contact_range
         yield "contact_force_min", replace(low, value=max(low.value, 0.0)) if self.apart else low
         yield "contact_force_max", high
-        yield "shaft_torque_max", Extreme(abs(self.torque.value), self.torque.theta)
+        yield "shaft_torque_max", CamExtreme(abs(self.torque.value), self.torque.theta)
         if self.hertz is not None:
             yield "hertz_pressure_max", self.pressures[0].highest if self.apart else self.hertz
         if (spin := self.spin()) is not None:
@@ -108,11 +108,11 @@ class Pressed:
         if self.preload is not None:
             at = self.preload.theta
             highest, rate = self.highest or Sized(0.0, at, 0.0), self.rate or Sized(math.inf, at, 0.0)
-            yield "lift_off_speed", Extreme(highest.value, highest.theta)
-            yield "spring_preload_min", Extreme(self.preload.value, at)
-            yield "spring_rate_min", Extreme(rate.value, rate.theta)
+            yield "lift_off_speed", CamExtreme(highest.value, highest.theta)
+            yield "spring_preload_min", CamExtreme(self.preload.value, at)
+            yield "spring_rate_min", CamExtreme(rate.value, rate.theta)
 
-    def _second(self) -> Iterator[tuple[str, Extreme]]:
+    def _second(self) -> Iterator[tuple[str, CamExtreme]]:
         """Those of the second contact."""
         found = self.forces.second_range
         assert found is not None
@@ -122,17 +122,17 @@ class Pressed:
         if (spin := self.spin(second=True)) is not None:
             yield "second_roller_speed_max", spin
 
-    def checks(self) -> Iterator[Check]:
+    def checks(self) -> Iterator[CamCheck]:
         """Against the limits that are stated."""
         for name, found, limit in (
             ("hertz_pressure", self.hertz, self.asked.hertz),
             ("shaft_torque", self.torque, self.asked.torque),
         ):
             if found is not None and limit is not None:
-                yield Check(name, abs(found.value), found.theta, limit, limit - abs(found.value))
+                yield CamCheck(name, abs(found.value), found.theta, limit, limit - abs(found.value))
 
 
-def pressed(disc: Disc, asked: Asked) -> Pressed:
+def pressed(disc: Disc, asked: FollowerForces) -> Pressed:
     """A follower under load, with what of its spring isn't given sized.
 
     Raises :class:`linkwright.cam.contact.NoContact`.

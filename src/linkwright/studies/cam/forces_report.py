@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from linkwright.expressions import units as u
 from linkwright.findings import Said, Text
 from linkwright.presentation.blocks import Chart
-from linkwright.presentation.cells import Number
+from linkwright.presentation.cells import NumberCell
 from linkwright.studies.cam.charts import over
 from linkwright.studies.cam.figures import along_lift
 from linkwright.studies.cam.outcome import CamOutcome
@@ -50,7 +50,7 @@ def force_sentences(outcome: CamOutcome) -> Iterator[Text]:
 
     def told(value: float, dimension: u.Dimension) -> str:
         unit, size = outcome.compiled.quantities.unit_of(dimension)
-        return str(Number(value / size, 6, unit))
+        return str(NumberCell(value / size, 6, unit))
 
     figures = dict(done.figures())
     low, high = (told(figures[f"contact_force_{end}"].value, u.FORCE) for end in ("min", "max"))

@@ -9,12 +9,12 @@ from dataclasses import dataclass, replace
 from linkwright.cam.cams_of_mechanism import Frame
 from linkwright.cam.disc import Disc
 from linkwright.cam.nc.groove import Groove
-from linkwright.cam.nc.job import Job, Pass, passes
+from linkwright.cam.nc.job import MillingJob, Pass, passes
 from linkwright.cam.nc.path import Sharp
 from linkwright.cam.nc.posts import POSTS, Post
 from linkwright.cam.nc.preflight import faults, warnings
-from linkwright.cam.nc.proof import Proof, prove
-from linkwright.cam.nc.reader import Fault, Move, read
+from linkwright.cam.nc.proof import NCProof, prove
+from linkwright.cam.nc.reader import Move, NCFault, read
 from linkwright.findings import Finding
 from linkwright.studies.cam.options import PATH
 
@@ -26,9 +26,9 @@ class Milled:
     """A file for one control and what came of reading it back. Only a ``proven`` one is written."""
 
     post: Post
-    job: Job
+    job: MillingJob
     text: str
-    proof: Proof
+    proof: NCProof
 
     @property
     def lines(self) -> int:
@@ -55,7 +55,7 @@ class Milled:
 
 
 def milled(
-    disc: Disc, job: Job, names: tuple[str, ...], angles: int, told: Sequence[str] = ()
+    disc: Disc, job: MillingJob, names: tuple[str, ...], angles: int, told: Sequence[str] = ()
 ) -> tuple[list[Milled], list[Finding]]:
     """A file for each control that has nothing against it, and all findings, warnings among them. ``told`` are further
     remarks in the files."""
@@ -79,7 +79,7 @@ def milled(
     return made, found
 
 
-def proven(disc: Disc, job: Job, text: str, angles: int, before: list[Milled]) -> Proof:
+def proven(disc: Disc, job: MillingJob, text: str, angles: int, before: list[Milled]) -> NCProof:
     """The proof of a file; that of an earlier one where it is read back to the very same motions."""
     found = read(text)
     if not found.faults:
@@ -95,7 +95,7 @@ def _ways(moves: list[Move] | tuple[Move, ...]) -> list[Move]:
     return [replace(move, line=0) for move in moves[first:]]
 
 
-def notes(job: Job) -> list[str]:
+def notes(job: MillingJob) -> list[str]:
     """What the file says of itself."""
     return [f"CUTTER R{job.cutter:g} MM", "XY ZERO AT THE CAM'S CENTRE", "Z ZERO AT THE TOP"]
 
@@ -124,6 +124,6 @@ def wrongs(one: Milled) -> Iterator[Finding]:
         yield Finding("nc.off", AT, {"post": post, "share": f"{share:.3g}", "gouge": gouge})
 
 
-def as_finding(fault: Fault, post: str = "", severity: str = "error") -> Finding:
+def as_finding(fault: NCFault, post: str = "", severity: str = "error") -> Finding:
     """A fault of NC code as a finding of the study."""
     return Finding(fault.key, AT, {"line": fault.line, "post": post, **fault.data}, severity=severity)

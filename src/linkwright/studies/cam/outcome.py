@@ -6,9 +6,9 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from linkwright.cam.checks import Check
+from linkwright.cam.checks import CamCheck
 from linkwright.cam.disc import TURN, Disc
-from linkwright.cam.extremes import Extreme
+from linkwright.cam.extremes import CamExtreme
 from linkwright.cam.form_closure import Closing
 from linkwright.cam.sizing import Feasible
 from linkwright.expressions import units as u
@@ -16,12 +16,12 @@ from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.laws import Motion
 from linkwright.results import Result, Run
-from linkwright.studies.cam.figures import Figure
+from linkwright.studies.cam.figures import CamFigure
 from linkwright.studies.cam.forces import Pressed
 from linkwright.studies.cam.milled_discs import Milled
 from linkwright.studies.cam.options import CamOptions
 from linkwright.studies.cam.plate import Plate
-from linkwright.studies.cam.stated_dimensions import Stated
+from linkwright.studies.cam.stated_dimensions import CamRequirements
 
 
 @dataclass
@@ -34,12 +34,12 @@ class CamOutcome:
     compiled: Compiled
     options: CamOptions
     name: str
-    stated: Stated
+    stated: CamRequirements
     plates: list[Plate]
     closing: Closing | None = None
-    figures: list[Figure] = field(default_factory=list)
+    figures: list[CamFigure] = field(default_factory=list)
     pressed: Pressed | None = None
-    force_checks: list[Check] = field(default_factory=list)
+    force_checks: list[CamCheck] = field(default_factory=list)
     map: Feasible | None = None
     failures: list[Finding] = field(default_factory=list)
     warnings: list[Finding] = field(default_factory=list)
@@ -79,10 +79,10 @@ class CamOutcome:
         """The files for the first disc."""
         return self.first.milled
 
-    def add(self, found: Iterable[tuple[str, Extreme]], dimensions: Mapping[str, u.Dimension]) -> None:
+    def add(self, found: Iterable[tuple[str, CamExtreme]], dimensions: Mapping[str, u.Dimension]) -> None:
         """Further figures by name."""
         for name, one in found:
-            self.figures.append(Figure(name, one.value, one.theta, dimensions[name], self.stated.required.get(name)))
+            self.figures.append(CamFigure(name, one.value, one.theta, dimensions[name], self.stated.required.get(name)))
 
     @property
     def law(self) -> Motion:

@@ -9,11 +9,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.cam.disc import Look
+from linkwright.cam.disc import DiscJets
 from linkwright.cam.nc.swept import ROUGH
 from linkwright.cam.nc.track import chains, pieces
 from linkwright.drawing.charts import points, thinned
-from linkwright.drawing.plane import LEFT, TOP, Plane
+from linkwright.drawing.plane import LEFT, TOP, PicturePlane
 from linkwright.escape import markup
 from linkwright.expressions import units as u
 from linkwright.findings import Said, Text
@@ -69,7 +69,7 @@ def picture(outcome: CamOutcome, turning: bool = True) -> str:
     right = max(far, pivot[0] if follower.turns else 0.0, *(float(row[0].max()) for row, sign in reach if sign > 0))
     top = max(far, *(float(row[1].max()) for row, sign in reach if sign > 0))
     below = max(far, *(-float(row[1].min()) for row, sign in reach if sign < 0)) if len(rides) > 1 else far
-    plane = Plane(
+    plane = PicturePlane(
         (-far / size, -below / size, right / size, top / size), outcome.compiled.quantities.unit_of(u.LENGTH)[0]
     )
 
@@ -106,7 +106,7 @@ def flipped(points: Array, second: bool) -> Array:
 
 
 @dataclass(frozen=True)
-class Ride:
+class ContactPicture:
     """A contact of the follower in the fixed frame, in the axes of the first disc: the ``centre`` of its roller, its
     edge or where its face touches (2, n), the ``normal`` there at the cam angle 0, the ``roller``'s radius; m."""
 
@@ -115,7 +115,7 @@ class Ride:
     roller: float
 
 
-def contacts(outcome: CamOutcome) -> list[Ride]:
+def contacts(outcome: CamOutcome) -> list[ContactPicture]:
     """Those of the follower: on the first disc, on the second, or opposite in a yoke as wide as the disc needs."""
     made = [_ride(plate.look, plate.disc.follower.radius, plate.second) for plate in outcome.plates]
     span = {} if outcome.closing is None else outcome.closing.figures
@@ -123,20 +123,20 @@ def contacts(outcome: CamOutcome) -> list[Ride]:
         (ride,) = made
         across = np.array([[-2 * ride.centre[0, 0]], [-span["yoke_span_max"].value]])
         other = ride.centre + (across if not outcome.disc.follower.faced else across * np.array([[0.0], [1.0]]))
-        made.append(Ride(other, (-ride.normal[0], -ride.normal[1]), ride.roller))
+        made.append(ContactPicture(other, (-ride.normal[0], -ride.normal[1]), ride.roller))
     return made
 
 
-def _ride(look: Look, roller: float, second: bool) -> Ride:
+def _ride(look: DiscJets, roller: float, second: bool) -> ContactPicture:
     centre, normal = (
         flipped(np.array([np.broadcast_to(c.d[0], look.theta.shape) for c in of]), second)
         for of in (look.centre, look.along)
     )
-    return Ride(centre, (float(normal[0, 0]), float(normal[1, 0])), roller)
+    return ContactPicture(centre, (float(normal[0, 0]), float(normal[1, 0])), roller)
 
 
 def _follower(
-    outcome: CamOutcome, plane: Plane, size: float, rides: Sequence[Ride], pivot: tuple[float, float]
+    outcome: CamOutcome, plane: PicturePlane, size: float, rides: Sequence[ContactPicture], pivot: tuple[float, float]
 ) -> tuple[str, str]:
     """The follower at the cam angle 0, and how it moves."""
     look, follower, scale = outcome.first.look, outcome.disc.follower, plane.scale / size
@@ -207,7 +207,7 @@ def tool_path(outcome: CamOutcome, plate: Plate) -> str:
     curves = {kind: plate.look.offset(side * plate.disc.follower.radius) for kind, side in kinds.items()}
     every = np.concatenate([*lines, *curves.values()], axis=1)
     low, high = every.min(axis=1) / size, every.max(axis=1) / size
-    plane = Plane((low[0], low[1], high[0], high[1]), outcome.compiled.quantities.unit_of(u.LENGTH)[0])
+    plane = PicturePlane((low[0], low[1], high[0], high[1]), outcome.compiled.quantities.unit_of(u.LENGTH)[0])
     shapes = "".join(
         f'<polygon class="{kind}" points="{points(*plane.at(*(curve / size)))}"/>' for kind, curve in curves.items()
     )
@@ -216,7 +216,7 @@ def tool_path(outcome: CamOutcome, plate: Plate) -> str:
     return drawn(plane, shapes, legend, Said("cam.chart.tool"))
 
 
-def drawn(plane: Plane, shapes: str, legend: Sequence[tuple[str, Text]], title: Text) -> str:
+def drawn(plane: PicturePlane, shapes: str, legend: Sequence[tuple[str, Text]], title: Text) -> str:
     """The whole picture with its legend below."""
     top = plane.bottom + 44.0
     rows = "".join(

@@ -11,17 +11,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.cam.cams_of_mechanism import Frame
-from linkwright.cam.checks import Check
+from linkwright.cam.checks import CamCheck
 from linkwright.cam.contact import on_face
-from linkwright.cam.disc import TURN, Disc, Look
-from linkwright.cam.extremes import Extreme, extremes
+from linkwright.cam.disc import TURN, Disc, DiscJets
+from linkwright.cam.extremes import CamExtreme, extremes
 from linkwright.cam.nc.path import Element
 from linkwright.cam.splines import Spline
 from linkwright.findings import Term
 from linkwright.notation import Jet
 from linkwright.studies.cam.figures import SECOND
 from linkwright.studies.cam.milled_discs import Milled
-from linkwright.studies.cam.stated_dimensions import Stated
+from linkwright.studies.cam.stated_dimensions import CamRequirements
 
 Array = NDArray[np.float64]
 
@@ -40,11 +40,11 @@ class Plate:
 
     disc: Disc
     frame: Frame
-    stated: Stated
+    stated: CamRequirements
     path: tuple[str | int, ...]
     steps: int
     second: bool = False
-    checks: list[Check] = field(default_factory=list)
+    checks: list[CamCheck] = field(default_factory=list)
     smallest: float | None = None
     elements: list[Element] = field(default_factory=list)
     outer: list[Element] = field(default_factory=list)
@@ -115,42 +115,42 @@ class Plate:
         return np.linspace(0.0, TURN, self.steps + 1)
 
     @cached_property
-    def look(self) -> Look:
+    def look(self) -> DiscJets:
         """The cam at these; at the end of the turn from the left."""
         theta = self.theta.copy()
         theta[-1] = np.nextafter(TURN, 0.0)
         return self.disc.look(theta)
 
     @cached_property
-    def extents(self) -> tuple[Extreme, Extreme]:
+    def extents(self) -> tuple[CamExtreme, CamExtreme]:
         """The least and the largest distance of the profile from the cam's centre (m)."""
         return self._away(-self.disc.follower.radius)
 
     @cached_property
-    def outer_extents(self) -> tuple[Extreme, Extreme]:
+    def outer_extents(self) -> tuple[CamExtreme, CamExtreme]:
         """The same of the outer flank of a groove."""
         return self._away(self.disc.follower.radius)
 
-    def _away(self, offset: float) -> tuple[Extreme, Extreme]:
-        def away(look: Look) -> Jet:
+    def _away(self, offset: float) -> tuple[CamExtreme, CamExtreme]:
+        def away(look: DiscJets) -> Jet:
             x, y = (p + offset * n for p, n in zip(look.pitch, look.normal, strict=True))
             return (x * x + y * y).sqrt()
 
         return extremes(self.disc, away)
 
     @cached_property
-    def face(self) -> tuple[Extreme, Extreme]:
+    def face(self) -> tuple[CamExtreme, CamExtreme]:
         """Between which places a flat face is touched (m), as :func:`linkwright.cam.contact.on_face` counts them."""
         near, far = extremes(self.disc, on_face(self.disc))
         if self.disc.follower.turns or self.frame.mirror > 0:
             return near, far
-        return Extreme(-far.value, far.theta), Extreme(-near.value, near.theta)
+        return CamExtreme(-far.value, far.theta), CamExtreme(-near.value, near.theta)
 
-    def figures(self) -> Iterator[tuple[str, Extreme]]:
+    def figures(self) -> Iterator[tuple[str, CamExtreme]]:
         """The figures that it has, by name; those of the checks have been found there."""
         by = {check.name: check for check in self.checks}
         if (sharp := by.get("profile_radius")) is not None:
-            yield f"{self.prefix}profile_curvature_max", Extreme(1 / sharp.value, sharp.theta)
+            yield f"{self.prefix}profile_curvature_max", CamExtreme(1 / sharp.value, sharp.theta)
         for name, check in (
             ("profile_radius_min", sharp),
             ("pitch_radius_min", by.get("pitch_radius")),
@@ -158,12 +158,12 @@ class Plate:
             ("pressure_angle_max", self._steepest()),
         ):
             if check is not None:
-                yield self.prefix + name, Extreme(check.value, check.theta)
+                yield self.prefix + name, CamExtreme(check.value, check.theta)
         yield from zip((f"{self.prefix}radius_min", f"{self.prefix}radius_max"), self.extents, strict=True)
         if self.disc.follower.faced:
             yield from zip((f"{self.prefix}face_near", f"{self.prefix}face_far"), self.face, strict=True)
 
-    def _steepest(self) -> Check | None:
+    def _steepest(self) -> CamCheck | None:
         """The larger of the pressure angles on the rise and on the return."""
         some = [check for check in self.checks if check.name.startswith("pressure")]
         return max(some, key=lambda check: check.value, default=None)

@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from linkwright.cam.checks import Check
+from linkwright.cam.checks import CamCheck
 from linkwright.expressions import units as u
 from linkwright.findings import Said, Text
 from linkwright.presentation.blocks import Block, Charts, Section, Sentences, StudyReport, Table, table
-from linkwright.presentation.cells import Cell, Number, Unit, Verdict, numbers
+from linkwright.presentation.cells import Cell, NumberCell, Unit, Verdict, numbers
 from linkwright.presentation.json_numbers import known, listed
 from linkwright.studies.cam.charts import charts, of_disc
 from linkwright.studies.cam.force_findings import MEASURES
@@ -72,7 +72,7 @@ def _plate(outcome: CamOutcome, plate: Plate) -> dict[str, Any]:
     return entry | {"nc": {one.post.name: _milled(outcome, one) for one in plate.milled}}
 
 
-def _check(outcome: CamOutcome, check: Check) -> dict[str, Any]:
+def _check(outcome: CamOutcome, check: CamCheck) -> dict[str, Any]:
     dimension = MEASURES.get(check.name, u.ANGLE if check.name.startswith("pressure") else u.LENGTH)
     unit, size = outcome.compiled.quantities.unit_of(dimension)
     angle, deg = outcome.compiled.quantities.unit_of(u.ANGLE)
@@ -140,7 +140,7 @@ def cam_tables(outcome: CamOutcome, entry: dict[str, Any]) -> list[Table]:
     figures: list[list[Cell]] = [
         [
             Said(f"cam.figure.{name}"),
-            Number(one["value"]),
+            NumberCell(one["value"]),
             Unit(one["unit"]),
             _place(one),
             one.get("require", "–"),
@@ -171,30 +171,46 @@ def _of(second: bool, row: list[Cell]) -> list[Cell]:
 
 
 def _check_row(c: dict[str, Any]) -> list[Cell]:
-    numbers: list[Cell] = [Number(c["value"]), Unit(c["unit"]), _place(c), Number(c["limit"]), Number(c["margin"])]
+    numbers: list[Cell] = [
+        NumberCell(c["value"]),
+        Unit(c["unit"]),
+        _place(c),
+        NumberCell(c["limit"]),
+        NumberCell(c["margin"]),
+    ]
     return [Said(f"cam.check.{c['name']}"), *numbers, _mark(c)]
 
 
 def _nc_row(post: str, m: dict[str, Any]) -> list[Cell]:
-    error: list[Cell] = [Number(m["lift_error"], 3), Number(m["tolerance"]), Unit(m["unit"])]
-    speed = Number(m["velocity_error"], 3, f"{m['unit']}/{m['angle_unit']}")
-    off: list[Cell] = [Number(m["gouge_mm"], 3), Number(m["rest_mm"], 3)]
+    error: list[Cell] = [NumberCell(m["lift_error"], 3), NumberCell(m["tolerance"]), Unit(m["unit"])]
+    speed = NumberCell(m["velocity_error"], 3, f"{m['unit']}/{m['angle_unit']}")
+    off: list[Cell] = [NumberCell(m["gouge_mm"], 3), NumberCell(m["rest_mm"], 3)]
     if "play_mm" in m:
         off.append(numbers(m["play_mm"], 2))
-    return [post, *error, speed, *off, Number(m["time_s"], 0, form="f"), Number(m["lines"], 9), _word(m["written"])]
+    return [
+        post,
+        *error,
+        speed,
+        *off,
+        NumberCell(m["time_s"], 0, form="f"),
+        NumberCell(m["lines"], 9),
+        _word(m["written"]),
+    ]
 
 
 def _parts(entry: dict[str, Any]) -> list[list[Cell]]:
     rows = list[list[Cell]]()
     if "contour" in entry:
-        rows.append([Said("cam.part.area"), Number(entry["contour"]["area"], 9), Unit(f"{entry['contour']['unit']}^2")])
+        rows.append(
+            [Said("cam.part.area"), NumberCell(entry["contour"]["area"], 9), Unit(f"{entry['contour']['unit']}^2")]
+        )
     if "volume" in entry:
-        rows.append([Said("cam.part.volume"), Number(entry["volume"]["value"], 9), Unit(entry["volume"]["unit"])])
+        rows.append([Said("cam.part.volume"), NumberCell(entry["volume"]["value"], 9), Unit(entry["volume"]["unit"])])
     return rows
 
 
-def _place(entry: dict[str, Any]) -> Number:
-    return Number(entry["at"], 6, entry.get("at_unit") or entry["angle_unit"])
+def _place(entry: dict[str, Any]) -> NumberCell:
+    return NumberCell(entry["at"], 6, entry.get("at_unit") or entry["angle_unit"])
 
 
 def _mark(entry: dict[str, Any]) -> Cell:

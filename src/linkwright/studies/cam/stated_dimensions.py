@@ -6,11 +6,11 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
-from linkwright.cam.checks import Limits
+from linkwright.cam.checks import CamLimits
 from linkwright.cam.disc import Disc
 from linkwright.cam.extremes import moving
 from linkwright.cam.form_closure import Closing
-from linkwright.cam.nc.job import Job
+from linkwright.cam.nc.job import MillingJob
 from linkwright.cam.nc.posts import POSTS
 from linkwright.cam.nc.preflight import faults
 from linkwright.cam.solid import Blank
@@ -18,9 +18,9 @@ from linkwright.expressions.typed_fields import Context, Sign
 from linkwright.expressions.unknown import unknown
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
-from linkwright.model.walk import Site, sites
+from linkwright.model.walk import QuantityPlace, sites
 from linkwright.studies.cam.figures import FIGURES, OF_FACE, OF_ROLLER, SECOND, Range, closed_by, every, of_forces
-from linkwright.studies.cam.force_numbers import Asked, given, read
+from linkwright.studies.cam.force_numbers import FollowerForces, given, read
 from linkwright.studies.cam.milled_discs import as_finding
 from linkwright.studies.cam.options import PATH, CamOptions
 from linkwright.studies.numbers import constant
@@ -36,23 +36,23 @@ MOST_PASSES = 200
 
 
 @dataclass(frozen=True)
-class Stated:
+class CamRequirements:
     """What a study wants, in numbers. ``required`` are least and largest values by figure."""
 
-    limits: Limits
+    limits: CamLimits
     tolerance: float
     period: float
     base: Range | None = None
     against: tuple[str, float, float] | None = None
     blank: Blank | None = None
-    job: Job | None = None
+    job: MillingJob | None = None
     required: dict[str, Range] = field(default_factory=dict)
-    forces: Asked | None = None
+    forces: FollowerForces | None = None
     play: float | None = None
 
 
 @dataclass
-class Reader:
+class DimensionReader:
     """Reads the options for one cam, whose follower ``closing`` keeps on; ``findings`` is what is wrong with them."""
 
     compiled: Compiled
@@ -66,10 +66,10 @@ class Reader:
         stated = sites(self.options, Context(self.compiled.mechanism, PATH))
         self.sites = {site.path[len(PATH) :]: site for site in stated}
 
-    def read(self) -> Stated:
+    def read(self) -> CamRequirements:
         """All numbers, with NaN for those that are wrong."""
         o, job = self.options, self._job()
-        return Stated(
+        return CamRequirements(
             self._limits(None if job is None else job.cutter / MM),
             self._number("tolerance"),
             self._number("period"),
@@ -82,7 +82,7 @@ class Reader:
             self._play(),
         )
 
-    def _forces(self) -> Asked | None:
+    def _forces(self) -> FollowerForces | None:
         if self.options.forces is None:
             return None
         asked, found = read(self.compiled, self.name, self.disc, self.options.forces, self._number)
@@ -108,7 +108,7 @@ class Reader:
             site, index = self.sites[path[:-1]], int(path[-1])
         return self._value(site, index, path)
 
-    def _value(self, site: Site, index: int, path: tuple[str | int, ...]) -> float:
+    def _value(self, site: QuantityPlace, index: int, path: tuple[str | int, ...]) -> float:
         (expression, of), at, quantities = site.parts[index], (*PATH, *path), self.compiled.quantities
         wanted, sign = of.dimension_at(site.context), of.sign_at(site.context)
         assert wanted is not None
@@ -127,9 +127,9 @@ class Reader:
     def _maybe(self, *path: str) -> float | None:
         return self._number(*path) if path in self.sites else None
 
-    def _limits(self, cutter: float | None) -> Limits:
+    def _limits(self, cutter: float | None) -> CamLimits:
         stated = self._maybe("limits", "cutter")
-        return Limits(
+        return CamLimits(
             self._maybe("limits", "pressure_rise"),
             self._maybe("limits", "pressure_return"),
             self._maybe("limits", "pitch_over_roller"),
@@ -175,7 +175,7 @@ class Reader:
             self.findings.append(Finding("cam.groove-deep", (*PATH, "blank", "groove")))
         return made
 
-    def _job(self) -> Job | None:
+    def _job(self) -> MillingJob | None:
         o = self.options.nc
         if o is None:
             return None
@@ -190,7 +190,7 @@ class Reader:
             data = {"count": f"{math.ceil(depth / step):.6g}", "most": MOST_PASSES}
             self.findings.append(Finding("cam.passes", (*PATH, "nc", "step"), data))
         start = middle_of_dwell(self.disc) if o.start is None else self._number("nc", "start") % (2 * math.pi)
-        job = Job(
+        job = MillingJob(
             cutter=length("cutter"),
             depth=depth,
             tolerance=self._number("nc", "tolerance"),
@@ -218,7 +218,7 @@ class Reader:
             self.findings += self._unfit(job, o.post)
         return job
 
-    def _unfit(self, job: Job, posts: tuple[str, ...]) -> Iterator[Finding]:
+    def _unfit(self, job: MillingJob, posts: tuple[str, ...]) -> Iterator[Finding]:
         """What speaks against a job on some control; of the cam itself the run tells it, with what mends it."""
         told = [as_finding(fault) for post in posts for fault in faults(self.disc, job, POSTS[post])]
         return (one for i, one in enumerate(told) if one.code not in CAM_ITSELF and one not in told[:i])

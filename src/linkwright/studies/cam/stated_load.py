@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.cam.contact import rows
-from linkwright.cam.disc import TURN, Disc, Look, inside
+from linkwright.cam.disc import TURN, Disc, DiscJets, inside
 from linkwright.cam.extremes import STEPS, extremes
 from linkwright.cam.loads import Load, by_both
 from linkwright.expressions import units as u
@@ -23,7 +23,7 @@ from linkwright.kernels import Compiled
 from linkwright.kernels.laws import read_table
 from linkwright.laws import TableLaw
 from linkwright.model.names import Names
-from linkwright.model.places import Place, Scope
+from linkwright.model.places import ExpressionPlace, Scope
 from linkwright.model.quantities import LARGEST
 from linkwright.notation import Jet
 from linkwright.results.discontinuities import joins, knots, switches
@@ -63,7 +63,7 @@ def stated_load(
     constant: Callable[[], float],
 ) -> tuple[StatedLoad, list[Finding]]:
     """The load and what is wrong with it; ``constant`` reads one that doesn't change."""
-    reader = _Reader(compiled, disc, at)
+    reader = _LoadReader(compiled, disc, at)
     if found := reader.unfit(of, dimension):
         return StatedLoad(math.nan), found
     if not any(_varies(node) for node in nodes(of.node)):
@@ -84,7 +84,7 @@ def _varies(node: Node) -> bool:
     return isinstance(node, Call) and node.name not in FUNCTIONS
 
 
-class _Reader:
+class _LoadReader:
     def __init__(self, compiled: Compiled, disc: Disc, at: tuple[str | int, ...]) -> None:
         self.compiled, self.disc, self.at = compiled, disc, at
         self.names = load_names(disc.follower.turns)
@@ -92,7 +92,7 @@ class _Reader:
     def unfit(self, of: Expression, dimension: u.Dimension) -> list[Finding]:
         """Names that aren't known or can't stand here."""
         mechanism, signals = self.compiled.mechanism, self.compiled.quantities.signals
-        names, place = Names(mechanism, signals), Place(self.at, of, dimension, Scope.TURN, self.names)
+        names, place = Names(mechanism, signals), ExpressionPlace(self.at, of, dimension, Scope.TURN, self.names)
         named = {node.text for node in nodes(of.node) if isinstance(node, Name)}
         taken = sorted(named & self.names.keys() & mechanism.parameters.keys())
         found = [Finding("cam.load-name", self.at, {"name": name}) for name in taken]
@@ -226,7 +226,7 @@ class _Reader:
         load = by_both(function)
 
         def values(theta: Array) -> Array:
-            look: Look = self.disc.look(theta.ravel())
+            look: DiscJets = self.disc.look(theta.ravel())
             return rows(load(look).d[0], theta.size).reshape(theta.shape)
 
         return values

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from linkwright.cam.cams_of_mechanism import frame
-from linkwright.cam.checks import Check, Limits, checks, undercut
+from linkwright.cam.checks import CamCheck, CamLimits, checks, undercut
 from linkwright.cam.contour import area, contour
 from linkwright.cam.disc import Disc
 from linkwright.cam.form_closure import Conjugate
@@ -20,7 +20,7 @@ from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.presentation.blocks import FileOf, StudyReport
 from linkwright.studies.cam.closure_forces import held
-from linkwright.studies.cam.figures import Figure, every
+from linkwright.studies.cam.figures import CamFigure, every
 from linkwright.studies.cam.files import FILES
 from linkwright.studies.cam.force_findings import press
 from linkwright.studies.cam.milled_discs import milled, seen
@@ -28,9 +28,9 @@ from linkwright.studies.cam.options import PATH, CamOptions
 from linkwright.studies.cam.outcome import CamOutcome
 from linkwright.studies.cam.plate import Plate
 from linkwright.studies.cam.report import report
-from linkwright.studies.cam.stated_dimensions import Reader, Stated
+from linkwright.studies.cam.stated_dimensions import CamRequirements, DimensionReader
 from linkwright.studies.registry import Command, Setting, Study, register
-from linkwright.studies.run_context import NOWHERE, Site
+from linkwright.studies.run_context import NOWHERE, RunContext
 
 LARGER = 20.0
 """How many times as large a base circle is looked for as the one that won't do."""
@@ -72,7 +72,7 @@ class CamStudy(Study):
             return findings
         return _read(compiled, options, name)[1]
 
-    def run(self, compiled: Compiled, options: CamOptions, site: Site = NOWHERE) -> CamOutcome:
+    def run(self, compiled: Compiled, options: CamOptions, site: RunContext = NOWHERE) -> CamOutcome:
         """All that is asked of the cam; nothing is made of a disc that is undercut."""
         name, _ = chosen(compiled, options)
         assert name is not None
@@ -105,11 +105,11 @@ class CamStudy(Study):
         return report(outcome)
 
 
-def _read(compiled: Compiled, options: CamOptions, name: str) -> tuple[Stated, list[Finding]]:
+def _read(compiled: Compiled, options: CamOptions, name: str) -> tuple[CamRequirements, list[Finding]]:
     """The numbers of the options and what is wrong with them, read once for check and run."""
 
-    def made() -> tuple[Stated, list[Finding]]:
-        reader = Reader(compiled, options, name, *held(compiled, name))
+    def made() -> tuple[CamRequirements, list[Finding]]:
+        reader = DimensionReader(compiled, options, name, *held(compiled, name))
         return reader.read(), reader.findings
 
     return compiled.kept((_read, name, options), made)
@@ -135,7 +135,7 @@ def _closes(outcome: CamOutcome) -> None:
     if (play := sizes.get("play")) is None:
         return
     margin = None if limit is None else limit - play.value
-    outcome.first.checks.append(Check("play", play.value, play.theta, limit, margin))
+    outcome.first.checks.append(CamCheck("play", play.value, play.theta, limit, margin))
     if limit is None and play.value > outcome.stated.tolerance:
         outcome.warnings.append(_loose(outcome, severity="warning"))
 
@@ -233,28 +233,28 @@ def _unfit(outcome: CamOutcome, plate: Plate, blank: Blank) -> Iterator[Finding]
         yield Finding("cam.plate", (*PATH, "blank", "radius"), {"most": f"{most / size:.6g}", "unit": unit})
 
 
-def mending(disc: Disc, limits: Limits) -> float | None:
+def mending(disc: Disc, limits: CamLimits) -> float | None:
     """The smallest larger base circle that keeps limits."""
     return smallest(disc, limits, disc.follower.base, LARGER * disc.follower.base)
 
 
-def _undercut(outcome: CamOutcome, plate: Plate, cut: Check) -> Finding:
-    data = _place(outcome, plate, cut) | _base(outcome, plate, Limits())
+def _undercut(outcome: CamOutcome, plate: Plate, cut: CamCheck) -> Finding:
+    data = _place(outcome, plate, cut) | _base(outcome, plate, CamLimits())
     smaller: Term | str = "" if plate.disc.follower.faced else Term("or-roller")
     which = Term("cam-second" if plate.second else "cam-first")
     return Finding("cam.undercut", plate.path, data | {"disc": which, "roller": smaller})
 
 
-def _failed(outcome: CamOutcome, plate: Plate, check: Check) -> Finding:
+def _failed(outcome: CamOutcome, plate: Plate, check: CamCheck) -> Finding:
     """A limit that isn't kept."""
     if check.name == "play":
         return _loose(outcome)
     data = _place(outcome, plate, check)
     if check.name == "groove_radius":
-        data |= _base(outcome, plate, Limits(groove=True)) | {"disc": Term("cam-flank"), "roller": Term("or-roller")}
+        data |= _base(outcome, plate, CamLimits(groove=True)) | {"disc": Term("cam-flank"), "roller": Term("or-roller")}
         return Finding("cam.undercut", plate.path, data)
     if check.name == "hollow_radius":
-        limits = replace(Limits(), cutter=check.limit)
+        limits = replace(CamLimits(), cutter=check.limit)
         data |= {"profile": plate.of(Term("cam-profile"))}
         return Finding("cam.hollow", plate.path, data | _base(outcome, plate, limits))
     return Finding("cam.limit", (*PATH, "limits"), data)
@@ -270,14 +270,14 @@ def _loose(outcome: CamOutcome, severity: str = "error") -> Finding:
     return Finding("cam.play", ("cams", outcome.name, "closed"), data | places, severity=severity)
 
 
-def _unmet(outcome: CamOutcome, figure: Figure) -> Finding:
+def _unmet(outcome: CamOutcome, figure: CamFigure) -> Finding:
     unit, size = outcome.compiled.quantities.unit_of(figure.dimension)
     data = {"name": figure.name, "value": f"{figure.value / size:.6g}", "unit": unit}
     wanted = str(outcome.options.require[figure.name].raw)
     return Finding("cam.required", (*PATH, "require", figure.name), data | {"wanted": wanted})
 
 
-def _place(outcome: CamOutcome, plate: Plate, check: Check) -> dict[str, object]:
+def _place(outcome: CamOutcome, plate: Plate, check: CamCheck) -> dict[str, object]:
     """A check in the file's units."""
     dimension = u.ANGLE if check.name.startswith("pressure") else u.LENGTH
     unit, size = outcome.compiled.quantities.unit_of(dimension)
@@ -291,7 +291,7 @@ def _angle(outcome: CamOutcome, theta: float) -> str:
     return f"{theta / size:.6g} {unit}"
 
 
-def _base(outcome: CamOutcome, plate: Plate, limits: Limits) -> dict[str, object]:
+def _base(outcome: CamOutcome, plate: Plate, limits: CamLimits) -> dict[str, object]:
     """The base circle that mends it, where there is one; of a second disc with what is between both contacts then."""
     found = mending(plate.disc, limits)
     if found is None:

@@ -10,7 +10,7 @@ from linkwright.expressions.units import TIME
 from linkwright.findings import Joined, Said
 from linkwright.measures import MeasureResult
 from linkwright.presentation.blocks import Checks, Measure, Measures, MeasureValue, Section, StudyReport, Table, table
-from linkwright.presentation.cells import Cell, Number, Unit
+from linkwright.presentation.cells import Cell, NumberCell, Unit
 from linkwright.reductions import Grade
 from linkwright.results import Certificate, Result
 from linkwright.studies.cycle.outcome import CycleOutcome
@@ -37,7 +37,7 @@ def overview_tables(entry: dict[str, Any], time_unit: str) -> list[Table]:
     """The overview of a cycle without measures, from its entry."""
 
     def place(one: dict[str, Any]) -> list[Cell]:
-        return [_number(one["value"]), Number(one["at"], 6)]
+        return [_number(one["value"]), NumberCell(one["at"], 6)]
 
     def output(name: str, e: dict[str, Any]) -> list[Cell]:
         low, high = e["min"]["value"], e["max"]["value"]
@@ -53,7 +53,7 @@ def overview_tables(entry: dict[str, Any], time_unit: str) -> list[Table]:
         [e["joint"], Joined(e["links"]), *place(e), _number(e["rms"]), Unit(e["unit"])] for e in entry["reactions"]
     ]
     angles = [
-        [e["group"], Number(e["least"]), Unit(e["unit"]), Number(e["at"], 6, unknown=Said("limits.everywhere"))]
+        [e["group"], NumberCell(e["least"]), Unit(e["unit"]), NumberCell(e["at"], 6, unknown=Said("limits.everywhere"))]
         for e in entry["transmission"]
     ]
     outputs = starmap(output, entry["outputs"].items())
@@ -66,8 +66,8 @@ def overview_tables(entry: dict[str, Any], time_unit: str) -> list[Table]:
     ]
 
 
-def _number(value: float | None) -> Number:
-    return Number(value, unknown=Said("value.unbounded"))
+def _number(value: float | None) -> NumberCell:
+    return NumberCell(value, unknown=Said("value.unbounded"))
 
 
 def measure(m: MeasureResult, second: float, time_unit: str) -> Measure:

@@ -23,7 +23,7 @@ from linkwright.studies.load_checks import contacts, outside, undefined
 from linkwright.studies.output_dead_centres import powerless
 from linkwright.studies.plausible import coincident, crossed
 from linkwright.studies.registry import Study, register
-from linkwright.studies.run_context import NOWHERE, Site
+from linkwright.studies.run_context import NOWHERE, RunContext
 
 
 @register
@@ -53,7 +53,7 @@ class Cycle(Study):
                     findings += error.findings
         return findings
 
-    def run(self, compiled: Compiled, options: CycleOptions, site: Site = NOWHERE) -> CycleOutcome:
+    def run(self, compiled: Compiled, options: CycleOptions, site: RunContext = NOWHERE) -> CycleOutcome:
         """Follow the motion, prove it, take the measures."""
         stop, _ = span(compiled, options)
         run = Run(compiled, 0.0, stop, options.samples)

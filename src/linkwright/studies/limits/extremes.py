@@ -13,7 +13,7 @@ from linkwright.expressions.language import Node
 from linkwright.expressions.units import Dimension
 from linkwright.graph.rows import Determinant, Span, reaches
 from linkwright.measures.features import features
-from linkwright.measures.probe import Limits, Search
+from linkwright.measures.probe import OneSidedLimits, Search
 from linkwright.results import Run
 from linkwright.results.run import BLIND
 from linkwright.results.stationary import magnitude, stationary
@@ -37,7 +37,7 @@ GROWS = 50.0
 
 
 @dataclass(frozen=True)
-class Extreme:
+class SignalExtreme:
     """A value (SI; infinite where the signal grows without limit) and the time of the run where it is reached."""
 
     value: float
@@ -67,13 +67,13 @@ class Strokes:
 
 
 @dataclass(frozen=True)
-class Course:
+class SignalCourse:
     """One signal over a run: its extremes, its dead centres, whole turns it makes, the strokes between two of them."""
 
     signal: str
     dimension: Dimension
-    low: Extreme
-    high: Extreme
+    low: SignalExtreme
+    high: SignalExtreme
     reversals: tuple[Reversal, ...]
     turns: int = 0
     strokes: Strokes | None = None
@@ -95,7 +95,7 @@ class Transmission:
 
 
 @dataclass(frozen=True)
-class Touch:
+class ModeChange:
     """A change point: the two assembly modes of a group meet at a time."""
 
     group: str
@@ -139,7 +139,7 @@ def _usual(rows: Array) -> Array:
     return np.array([[float(np.median(row)) if row.size else np.inf] for row in known])
 
 
-def touches(run: Run) -> list[Touch]:
+def touches(run: Run) -> list[ModeChange]:
     """The change points of a run: where the reach of a group touches zero, or its two outer pins meet."""
     closing = reaches(run.compiled.structure)
     apart = [Span(row.group) for row in closing]
@@ -152,7 +152,7 @@ def touches(run: Run) -> list[Touch]:
         times = np.union1d(places[i], places[len(closing) + i])
         reach, span = np.abs(run.compiled.evaluate(rows, times))
         meet = (reach <= TOUCH) | (span <= SINGULAR * spans[i].max())
-        found += [Touch(rows[0].group, float(time)) for time in times[meet]]
+        found += [ModeChange(rows[0].group, float(time)) for time in times[meet]]
     return found
 
 
@@ -182,7 +182,7 @@ def transmission(run: Run, flat: Sequence[tuple[str, float]] = ()) -> list[Trans
     return found
 
 
-def courses(run: Run, signals: Signals, full: bool = False, forward: bool = True) -> list[Course]:
+def courses(run: Run, signals: Signals, full: bool = False, forward: bool = True) -> list[SignalCourse]:
     """What each signal does over a run. ``full``: its ends are one pose; ``forward``: the drive's value rises."""
     if not signals:
         return []
@@ -207,7 +207,7 @@ class _Course:
     times: Array
     full: bool
     forward: bool
-    limits: list[Limits]
+    limits: list[OneSidedLimits]
 
     def __post_init__(self) -> None:
         near = 1e-10 * (self.run.stop - self.run.start)
@@ -217,7 +217,7 @@ class _Course:
     def values(self, t: Array) -> Array:
         return np.array(self.run.jets(self.node, t).d[0])
 
-    def read(self, name: str, dimension: Dimension) -> Course:
+    def read(self, name: str, dimension: Dimension) -> SignalCourse:
         run = self.run
         inner = self.values(self.times)
         ends = self.values(np.array([run.start, run.stop]))
@@ -232,17 +232,17 @@ class _Course:
         known = ~np.isnan(values)
         times, values = times[known], values[known]
         if not values.size:
-            nowhere = Extreme(float("nan"), run.start)
-            return Course(name, dimension, nowhere, nowhere, ())
+            nowhere = SignalExtreme(float("nan"), run.start)
+            return SignalCourse(name, dimension, nowhere, nowhere, ())
         low, high = (int(pick(values)) for pick in (np.argmin, np.argmax))
         reversals = self.reversals(inner) if dimension.time == 0 else ()  # a rate has no dead centres
         turns = round(float(ends[1] - ends[0]) / (2 * np.pi)) if self.full and np.isfinite(ends).all() else 0
         turns = turns if dimension.angle == 1 and dimension.physical == Dimension() else 0
-        return Course(
+        return SignalCourse(
             name,
             dimension,
-            Extreme(float(values[low]), float(times[low])),
-            Extreme(float(values[high]), float(times[high])),
+            SignalExtreme(float(values[low]), float(times[low])),
+            SignalExtreme(float(values[high]), float(times[high])),
             reversals,
             turns,
             None if turns else self.strokes(reversals),

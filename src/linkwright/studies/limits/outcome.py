@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.results import Result, Run
-from linkwright.studies.limits.extremes import Course, Touch, Transmission
+from linkwright.studies.limits.extremes import ModeChange, SignalCourse, Transmission
 from linkwright.studies.limits.four_links import FourLinks
 from linkwright.studies.limits.ranges import Range
 
@@ -16,13 +16,13 @@ DRAWN = 720
 
 
 @dataclass(frozen=True)
-class Stretch:
+class RunLimits:
     """What a run comes to: its signals, dyads and change points."""
 
     run: Run
-    courses: list[Course]
+    courses: list[SignalCourse]
     transmission: list[Transmission]
-    touches: list[Touch]
+    touches: list[ModeChange]
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ class DriveLimits:
     """One drive moved alone from the start pose: its ranges, and what happens over each."""
 
     drive: str
-    ranges: list[tuple[Range, Stretch]]
+    ranges: list[tuple[Range, RunLimits]]
 
 
 @dataclass
@@ -40,7 +40,7 @@ class LimitsOutcome:
     compiled: Compiled
     samples: int
     drives: list[DriveLimits] = field(default_factory=list)
-    motion: Stretch | None = None
+    motion: RunLimits | None = None
     loops: list[FourLinks] = field(default_factory=list)
     warnings: list[Finding] = field(default_factory=list)
     failures: list[Finding] = field(default_factory=list)

@@ -10,14 +10,14 @@ from numpy.typing import NDArray
 from linkwright.elements.cylinder import links_of
 from linkwright.expressions import units as u
 from linkwright.findings import Finding
-from linkwright.graph.rows import Determinant, Reach
+from linkwright.graph.rows import Determinant, ReachRow
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
 from linkwright.results import Run
 from linkwright.results.stationary import crossings
-from linkwright.structure import Cluster, Group
+from linkwright.structure import Group, HigherGroup
 from linkwright.studies.assembly_checks import gaps, shortfall
-from linkwright.studies.drive_sweep import Stop, Sweep, cluster_ends, sweeping
+from linkwright.studies.drive_sweep import Stop, Sweep, higher_group_ends, sweeping
 
 Array = NDArray[np.float64]
 Interval = tuple[float, float]
@@ -27,16 +27,16 @@ OUTWARD = 4.0
 LOOKS = 4
 """How often ranges are looked through again for what was missed at the first look."""
 SAME = 1e-7
-"""Places closer than this share of the stretch looked at are one: a cluster's end is known no better."""
+"""Places closer than this share of the stretch looked at are one: a higher group's end is known no better."""
 
 
 @dataclass(frozen=True)
 class End:
     """One end of a range: the drive's value (rad or m) and why it ends there.
 
-    ``kind`` is ``group`` (a dyad stretched or folded), ``cluster`` (a group that meets a singular pose), ``pole`` (a
-    group whose slide runs away), ``stroke`` (the cylinder's own) or ``window`` (nothing ends: no more was looked at).
-    ``beyond`` says what fails.
+    ``kind`` is ``group`` (a dyad stretched or folded), ``higher_group`` (a group that meets a singular pose), ``pole``
+    (a group whose slide runs away), ``stroke`` (the cylinder's own) or ``window`` (nothing ends: no more was looked
+    at). ``beyond`` says what fails.
     """
 
     value: float
@@ -61,13 +61,13 @@ class Range:
 
 
 @dataclass(frozen=True)
-class _Gap:
+class _TimeGap:
     """A stretch of times in which ``group`` can't be placed; a pole has no width."""
 
     start: float
     stop: float
     kind: str
-    group: Group | Cluster
+    group: Group | HigherGroup
     worst: float = np.nan
 
 
@@ -77,7 +77,7 @@ def ranges(compiled: Compiled, drive: str, window: Interval | None, samples: int
     Without a ``window``: in one turn, over a cylinder's stroke, or as far as a slide gets from its start.
     """
     moving = sweeping(compiled, drive)
-    search = _Search(moving, drive, samples)
+    search = _RangeSearch(moving, drive, samples)
     if window is not None:
         return search.between(window[0] - search.origin, window[1] - search.origin)
     if compiled.mechanism.prescribed(drive).turns:
@@ -105,7 +105,7 @@ def _of_stroke(found: Range) -> Range:
     return replace(found, low=low, high=high)
 
 
-class _Search:
+class _RangeSearch:
     def __init__(self, compiled: Compiled, drive: str, samples: int) -> None:
         self.compiled, self.drive, self.samples = compiled, drive, samples
         self.origin = values_at(compiled.laws, 0.0)[drive]
@@ -125,7 +125,8 @@ class _Search:
         return [home, *(r for r in every if low <= r.sweep.start and r.sweep.stop <= high)]
 
     def closes(self, start: float, stop: float) -> bool:
-        """Whether a turn fits in and all links come back to where they were; a cluster may do so in another mode."""
+        """Whether a turn fits in and all links come back to where they were; a higher group may do so in another
+        mode."""
         turn = 2 * np.pi
         if not self.compiled.mechanism.prescribed(self.drive).turns or stop - start < turn * (1 - 1e-12):
             return False
@@ -145,12 +146,12 @@ class _Search:
             found += more
         return kept
 
-    def rest(self, run: Run, found: list[_Gap]) -> list[Range]:
+    def rest(self, run: Run, found: list[_TimeGap]) -> list[Range]:
         """What some gaps leave of a run."""
         low, high = run.start, run.stop
         tiny = SAME * (high - low)
-        starts: list[tuple[float, _Gap | None]] = [(low, None)]
-        ends: list[tuple[float, _Gap | None]] = []
+        starts: list[tuple[float, _TimeGap | None]] = [(low, None)]
+        ends: list[tuple[float, _TimeGap | None]] = []
         for block in _blocks(found, tiny):
             first, last = _edge(block, "start", tiny), _edge(block, "stop", tiny)
             ends.append((first.start, first))
@@ -165,24 +166,24 @@ class _Search:
                 kept.append(Range(*sides, not any(stops) and self.closes(start, stop), sweep))
         return kept
 
-    def gaps(self, run: Run) -> list[_Gap]:
-        """What fails in a run: clusters past their ends, dyads out of reach, slides that run away."""
+    def gaps(self, run: Run) -> list[_TimeGap]:
+        """What fails in a run: higher groups past their ends, dyads out of reach, slides that run away."""
         found = []
-        ends = cluster_ends(self.compiled, run.start, run.stop)
-        for cluster, ((low, away_below), (high, away_above)) in zip(
-            self.compiled.structure.clusters, ends, strict=True
+        ends = higher_group_ends(self.compiled, run.start, run.stop)
+        for higher_group, ((low, away_below), (high, away_above)) in zip(
+            self.compiled.structure.higher_groups, ends, strict=True
         ):
             if low > run.start:
-                found.append(_Gap(run.start, low, "pole" if away_below else "cluster", cluster))
+                found.append(_TimeGap(run.start, low, "pole" if away_below else "cluster", higher_group))
             if high < run.stop:
-                found.append(_Gap(high, run.stop, "pole" if away_above else "cluster", cluster))
+                found.append(_TimeGap(high, run.stop, "pole" if away_above else "cluster", higher_group))
         for group in self.compiled.structure.groups:
             if group.modes > 1:
                 edges = [edge for gap in found for edge in (gap.start, gap.stop)]
-                for start, stop, worst in gaps(run, Reach(group.label), edges):
-                    found.append(_Gap(start, stop, "group", group, worst))
+                for start, stop, worst in gaps(run, ReachRow(group.label), edges):
+                    found.append(_TimeGap(start, stop, "group", group, worst))
             else:
-                found += [_Gap(at, at, "pole", group) for at in self.poles(run, group)]
+                found += [_TimeGap(at, at, "pole", group) for at in self.poles(run, group)]
         return found
 
     def poles(self, run: Run, group: Group) -> list[float]:
@@ -193,14 +194,14 @@ class _Search:
         known = np.abs(self.compiled.evaluate(row, at)[0]) < 1e-9 if at.size else np.empty(0, bool)
         return [float(t) for t in at[known]]
 
-    def end(self, time: float, gap: _Gap | None) -> End:
+    def end(self, time: float, gap: _TimeGap | None) -> End:
         value = self.origin + time
         if gap is None:
             return End(value, "window")
         beyond = None if (group := _dyad(gap)) is None else self.cannot(group, gap)
         return End(value, gap.kind, gap.group.label, beyond)
 
-    def cannot(self, group: Group, gap: _Gap) -> Finding:
+    def cannot(self, group: Group, gap: _TimeGap) -> Finding:
         """In words which group fails in a gap, and by how much at worst."""
         data = shortfall(self.compiled, group, gap.worst)
         unit, size = self.compiled.quantities.drive_unit(self.drive)
@@ -209,14 +210,14 @@ class _Search:
         return Finding("motion.cannot-assemble", ("links", group.links[0]), data)
 
 
-def _dyad(gap: _Gap | None) -> Group | None:
+def _dyad(gap: _TimeGap | None) -> Group | None:
     """The dyad whose two modes meet at a gap's edge."""
     return gap.group if gap is not None and gap.kind == "group" and isinstance(gap.group, Group) else None
 
 
-def _blocks(found: list[_Gap], tiny: float) -> list[list[_Gap]]:
+def _blocks(found: list[_TimeGap], tiny: float) -> list[list[_TimeGap]]:
     """Gaps that touch, together."""
-    blocks: list[list[_Gap]] = []
+    blocks: list[list[_TimeGap]] = []
     for gap in sorted(found, key=lambda gap: gap.start):
         if blocks and gap.start <= max(g.stop for g in blocks[-1]) + tiny:
             blocks[-1].append(gap)
@@ -225,9 +226,9 @@ def _blocks(found: list[_Gap], tiny: float) -> list[list[_Gap]]:
     return blocks
 
 
-def _edge(block: list[_Gap], edge: str, tiny: float) -> _Gap:
+def _edge(block: list[_TimeGap], edge: str, tiny: float) -> _TimeGap:
     """The gap that makes a block's edge: of several that end together the dyad's, whose edge is exact."""
     outer = min if edge == "start" else max
     last = outer(getattr(gap, edge) for gap in block)
     near = [gap for gap in block if abs(getattr(gap, edge) - last) <= tiny]
-    return min(near, key=lambda gap: isinstance(gap.group, Cluster))
+    return min(near, key=lambda gap: isinstance(gap.group, HigherGroup))

@@ -9,10 +9,10 @@ from typing import Any
 from linkwright.expressions.units import ANGLE, LENGTH, TIME
 from linkwright.findings import Joined, Said, Text
 from linkwright.presentation.blocks import Section, StudyReport, Table, table
-from linkwright.presentation.cells import Cell, Number, Unit
-from linkwright.studies.limits.extremes import Course, Transmission
+from linkwright.presentation.cells import Cell, NumberCell, Unit
+from linkwright.studies.limits.extremes import SignalCourse, Transmission
 from linkwright.studies.limits.four_links import FourLinks
-from linkwright.studies.limits.outcome import DriveLimits, LimitsOutcome, Stretch
+from linkwright.studies.limits.outcome import DriveLimits, LimitsOutcome, RunLimits
 from linkwright.studies.limits.ranges import End
 
 TINY = 1e-13
@@ -74,7 +74,7 @@ class _Scale:
         at = self.at(end.value - self.origin)
         return {"at": at, "kind": end.kind, "group": end.group, "what": end.beyond.what if end.beyond else None}
 
-    def stretch(self, stretch: Stretch) -> dict[str, Any]:
+    def stretch(self, stretch: RunLimits) -> dict[str, Any]:
         """A stretch's signals, transmission angles and change points."""
         return {
             "unit": self.unit,
@@ -83,7 +83,7 @@ class _Scale:
             "change_points": [{"group": t.group, "at": self.at(t.time)} for t in stretch.touches],
         }
 
-    def course(self, course: Course) -> dict[str, Any]:
+    def course(self, course: SignalCourse) -> dict[str, Any]:
         unit, size = self.quantities.unit_of(course.dimension)
         ends = [abs(e.value) for e in (course.low, course.high) if isfinite(e.value)]
 
@@ -217,9 +217,9 @@ def _loops(entry: dict[str, Any]) -> Iterator[list[Cell]]:
         yield [", ".join(loop["links"]), kind, turning, _number(loop["margin"]), Unit(loop["unit"])]
 
 
-def _number(value: float | None) -> Number:
-    return Number(value, unknown=Said("limits.without_limit"))
+def _number(value: float | None) -> NumberCell:
+    return NumberCell(value, unknown=Said("limits.without_limit"))
 
 
-def _place(value: float, stretch: dict[str, Any]) -> Number:
-    return Number(value, unit=stretch["unit"])
+def _place(value: float, stretch: dict[str, Any]) -> NumberCell:
+    return NumberCell(value, unit=stretch["unit"])

@@ -26,13 +26,13 @@ from linkwright.studies.cycle.options import CycleOptions, beside, span
 from linkwright.studies.drive_sweep import Sweep
 from linkwright.studies.limits.extremes import Signals, courses, touches, transmission
 from linkwright.studies.limits.four_links import four_links
-from linkwright.studies.limits.outcome import DriveLimits, LimitsOutcome, Stretch
+from linkwright.studies.limits.outcome import DriveLimits, LimitsOutcome, RunLimits
 from linkwright.studies.limits.ranges import Range, ranges
 from linkwright.studies.limits.report import report
 from linkwright.studies.numbers import interval
 from linkwright.studies.output_signals import output_signals
 from linkwright.studies.registry import Command, Study, register
-from linkwright.studies.run_context import NOWHERE, Site
+from linkwright.studies.run_context import NOWHERE, RunContext
 from linkwright.studies.sampling_options import name_faults, unit_faults
 
 WIDEST = {True: 200 * math.pi, False: 1000.0}
@@ -82,7 +82,7 @@ class Limits(Study):
         """What is wrong with ranges and signals."""
         return [*_ranges(compiled, options), *_signals(compiled, options)]
 
-    def run(self, compiled: Compiled, options: LimitsOptions, site: Site = NOWHERE) -> LimitsOutcome:
+    def run(self, compiled: Compiled, options: LimitsOptions, site: RunContext = NOWHERE) -> LimitsOutcome:
         """Move each drive alone, then follow the file's motion."""
         outcome = LimitsOutcome(compiled, options.samples, loops=four_links(compiled))
         signals = _wanted(compiled, options)
@@ -102,7 +102,7 @@ class Limits(Study):
         return report(outcome)
 
 
-def _swept(found: Range, signals: Signals, forward: bool) -> Stretch:
+def _swept(found: Range, signals: Signals, forward: bool) -> RunLimits:
     ends = [end for end in (found.low, found.high) if end.group is not None and end.kind != "cluster"]
     flat = [(str(end.group), end.value - found.sweep.origin) for end in ends]
     return _stretch(found.sweep, signals, flat, found.full, forward)
@@ -110,12 +110,12 @@ def _swept(found: Range, signals: Signals, forward: bool) -> Stretch:
 
 def _stretch(
     run: Run, signals: Signals, ends: Sequence[tuple[str, float]] = (), full: bool = False, forward: bool = True
-) -> Stretch:
+) -> RunLimits:
     """What a run comes to. ``ends``: groups that are stretched or folded at its ends, and when."""
     meeting = touches(run)
     run.change_points = tuple(touch.time for touch in meeting)
     flat = [*((touch.group, touch.time) for touch in meeting), *ends]
-    return Stretch(run, courses(run, signals, full, forward), transmission(run, flat), meeting)
+    return RunLimits(run, courses(run, signals, full, forward), transmission(run, flat), meeting)
 
 
 def _overrun(sweep: Sweep) -> Iterator[Finding]:

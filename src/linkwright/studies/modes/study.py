@@ -13,7 +13,7 @@ from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen
 from linkwright.expressions.typed_fields import Quantity
 from linkwright.findings import Finding, ModelError
-from linkwright.graph.constraints import Ride
+from linkwright.graph.constraints import FollowerRelation
 from linkwright.graph.geometry import ZERO
 from linkwright.graph.mode_survey import SAME, survey
 from linkwright.graph.modes import Mode
@@ -28,7 +28,7 @@ from linkwright.studies.modes.outcome import ModesOutcome
 from linkwright.studies.modes.report import report
 from linkwright.studies.numbers import constant
 from linkwright.studies.registry import Study, register
-from linkwright.studies.run_context import NOWHERE, Site
+from linkwright.studies.run_context import NOWHERE, RunContext
 
 PATH = ("studies", "modes")
 
@@ -75,13 +75,13 @@ def check_options(made: Prepared | Compiled, options: ModesOptions) -> list[Find
     return []
 
 
-def _rides(made: Prepared | Compiled) -> dict[str, Ride]:
+def _rides(made: Prepared | Compiled) -> dict[str, FollowerRelation]:
     """How the followers of cams move with their motors."""
     found = {}
     for name, follower in made.quantities.mechanism.followers.items():
         law = made.laws[name]
         assert isinstance(law, FollowerLaw)
-        found[name] = Ride(law.motor, law.along, follower.step(made.motions))
+        found[name] = FollowerRelation(law.motor, law.along, follower.step(made.motions))
     return found
 
 
@@ -102,7 +102,7 @@ class Modes(Study):
         """What is wrong with the options."""
         return check_options(compiled, options)
 
-    def run(self, compiled: Compiled, options: ModesOptions, site: Site = NOWHERE) -> ModesOutcome:
+    def run(self, compiled: Compiled, options: ModesOptions, site: RunContext = NOWHERE) -> ModesOutcome:
         """Find the modes, and the one that the mechanism has at that time."""
         outcome = find_modes(compiled, options)
         outcome.own = own_mode(compiled, outcome)

@@ -27,7 +27,7 @@ class Reaction:
 
 
 @dataclass(frozen=True)
-class Bar:
+class TwoForceLink:
     """A link that is pinned at two places and bears nothing else: its force (N), positive in tension."""
 
     link: str
@@ -46,7 +46,7 @@ class ReactionsOutcome:
     compiled: Still
     time: float = 0.0
     reactions: list[Reaction] = field(default_factory=list)
-    bars: list[Bar] = field(default_factory=list)
+    bars: list[TwoForceLink] = field(default_factory=list)
     states: int = 0
     motions: int = 0
     closure: float = 0.0

@@ -10,7 +10,7 @@ from linkwright.expressions.units import ANGLE, FORCE
 from linkwright.findings import Said, Text
 from linkwright.model.csv_text import cell, written
 from linkwright.presentation.blocks import Section, StudyReport, table
-from linkwright.presentation.cells import Cell, Number, Unit
+from linkwright.presentation.cells import Cell, NumberCell, Unit
 from linkwright.studies.reactions.outcome import Reaction, ReactionsOutcome
 
 TINY = 1e-13
@@ -65,7 +65,7 @@ def report(outcome: ReactionsOutcome) -> StudyReport:
         [link, _number(bar["value"]), Unit(bar["unit"]), _kind(bar["value"])] for link, bar in entry["bars"].items()
     ]
     proof: list[list[Cell]] = [
-        [Said(f"reactions.{key}"), Number(entry[key], 1, form="e")] for key in ("closure", "equilibrium")
+        [Said(f"reactions.{key}"), NumberCell(entry[key], 1, form="e")] for key in ("closure", "equilibrium")
     ]
     tables = [
         table("reactions", "joints", ("joint", "reaction", "value", "unit"), rows),
@@ -75,8 +75,8 @@ def report(outcome: ReactionsOutcome) -> StudyReport:
     return StudyReport([Section("reactions", tables)], summary)
 
 
-def _number(value: float | None) -> Number:
-    return Number(value, unknown=Said("reactions.open"))
+def _number(value: float | None) -> NumberCell:
+    return NumberCell(value, unknown=Said("reactions.open"))
 
 
 def _kind(value: float | None) -> Text:

@@ -23,10 +23,10 @@ from linkwright.kernels import Compiled, Still
 from linkwright.model.signals import Contact
 from linkwright.presentation.blocks import FileOf, StudyReport
 from linkwright.studies.numbers import constant
-from linkwright.studies.reactions.outcome import Bar, Reaction, ReactionsOutcome
+from linkwright.studies.reactions.outcome import Reaction, ReactionsOutcome, TwoForceLink
 from linkwright.studies.reactions.report import reactions_csv, report
 from linkwright.studies.registry import Study, register
-from linkwright.studies.run_context import NOWHERE, Site
+from linkwright.studies.run_context import NOWHERE, RunContext
 
 PATH = ("studies", "reactions")
 PROVEN = 1e-9
@@ -60,7 +60,7 @@ class Reactions(Study):
         early = time is not None and time < 0
         return [Finding("reactions.time", path, {"text": options.at.text[:60]})] if early else found
 
-    def run(self, compiled: Compiled, options: ReactionsOptions, site: Site = NOWHERE) -> ReactionsOutcome:
+    def run(self, compiled: Compiled, options: ReactionsOptions, site: RunContext = NOWHERE) -> ReactionsOutcome:
         """Solve the equilibrium."""
         assert isinstance(compiled, Still)
         outcome = ReactionsOutcome(compiled, _time(compiled, options))
@@ -122,7 +122,7 @@ def _called(compiled: Still, contact: Contact) -> str:
     return f"force({', '.join(names)})"
 
 
-def _bars(compiled: Still, statics: Statics) -> Iterator[Bar]:
+def _bars(compiled: Still, statics: Statics) -> Iterator[TwoForceLink]:
     """The links that are pinned at two places, don't slide, and bear no load, weight or spring."""
     topology = compiled.structure.topology
     largest = np.abs(statics.applied).max(initial=0.0)
@@ -137,7 +137,7 @@ def _bars(compiled: Still, statics: Statics) -> Iterator[Bar]:
         axis = arms[1] - arms[0]
         if math.hypot(*axis) > 0:
             pull = statics.on(pins[1].name, link)[:2]
-            yield Bar(link, statics.component(axis @ pull / math.hypot(*axis)))
+            yield TwoForceLink(link, statics.component(axis @ pull / math.hypot(*axis)))
 
 
 def _warnings(outcome: ReactionsOutcome, statics: Statics) -> Iterator[Finding]:

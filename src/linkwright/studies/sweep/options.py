@@ -17,7 +17,7 @@ from linkwright.kernels import Compiled
 from linkwright.kernels.parameter_batch import Varied
 from linkwright.kernels.registry import KERNELS
 from linkwright.model.references import option_faults
-from linkwright.studies.distributions import Spread, Vary
+from linkwright.studies.distributions import ParameterSpread, Vary
 from linkwright.studies.numbers import constant
 from linkwright.studies.plans import PLANS, Plan
 from linkwright.studies.sampling_options import Sampling, check_outputs, check_span, one_of
@@ -53,7 +53,7 @@ class SweepOptions(Sampling):
     def keeps(self) -> bool:
         return self.keep == "all"
 
-    def spreads(self, compiled: Compiled) -> list[Spread]:
+    def spreads(self, compiled: Compiled) -> list[ParameterSpread]:
         """What the parameters take, in SI."""
         quantities = compiled.quantities
         return [
@@ -61,7 +61,7 @@ class SweepOptions(Sampling):
             for name, entry in self.vary.items()
         ]
 
-    def planned(self, spreads: Sequence[Spread]) -> type[Plan]:
+    def planned(self, spreads: Sequence[ParameterSpread]) -> type[Plan]:
         """The plan, the given one or the one that fits."""
         fitting = "grid" if all(spread.points is not None for spread in spreads) else "latin"
         return PLANS[self.plan or fitting]

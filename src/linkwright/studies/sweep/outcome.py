@@ -14,7 +14,7 @@ from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.results import Result, Run
-from linkwright.studies.figures import Column
+from linkwright.studies.figures import FigureColumn
 from linkwright.studies.plans import Plan
 from linkwright.studies.shares import Share
 from linkwright.studies.sweep.options import SweepOptions
@@ -46,7 +46,7 @@ class Statistics:
     samples with the extremes, -1 for none; ``counts`` those between the ``edges`` of the histogram, ``under`` and
     ``over`` those beyond."""
 
-    column: Column
+    column: FigureColumn
     count: int
     mean: float
     deviation: float
@@ -61,7 +61,7 @@ class Statistics:
 
 
 @dataclass(frozen=True)
-class Table:
+class SampleTable:
     """A column a sample: the varied ``parameters`` (names, samples), ``figures`` (figures, samples) and whether
     requirements are ``met`` (requirements, samples), in SI. Samples that have ``failed`` (samples,) lack a value,
     ``since`` (samples,) some time (s), NaN where that isn't known."""
@@ -91,7 +91,7 @@ class SweepOutcome:
     bands: dict[str, Band] = field(default_factory=dict)
     measures: list[Statistics] = field(default_factory=list)
     shares: dict[str, Share] = field(default_factory=dict)
-    table: Table | None = None
+    table: SampleTable | None = None
     values: Array | None = None
     failed: int = 0
     poses: int = 0

@@ -8,7 +8,7 @@ import numpy as np
 
 from linkwright.findings import Said
 from linkwright.presentation.blocks import Block, Charts, Section, Sentences, StudyReport, Table, table
-from linkwright.presentation.cells import Number, Numbers, Unit, percent
+from linkwright.presentation.cells import NumberCell, Numbers, Unit, percent
 from linkwright.presentation.json_numbers import known
 from linkwright.studies.shares import CONFIDENCE
 from linkwright.studies.sweep.charts import charts
@@ -97,7 +97,7 @@ def tables(outcome: SweepOutcome, entry: dict[str, Any]) -> list[Table]:
 
     def numbers(name: str, head: str, *keys: str) -> Table:
         """A table of figures with their units."""
-        rows = [[key, *(Number(e.get(k), 6) for k in keys), Unit(e["unit"])] for key, e in entry[name].items()]
+        rows = [[key, *(NumberCell(e.get(k), 6) for k in keys), Unit(e["unit"])] for key, e in entry[name].items()]
         return table("sweep", name, (head, *keys, "unit"), rows)
 
     shares = [[name, e["require"], percent(e["share"]), _interval(e)] for name, e in entry["require"].items()]

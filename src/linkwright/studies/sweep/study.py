@@ -13,20 +13,20 @@ import numpy as np
 from linkwright.blocks.work import Arrays
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.kernels.kernel_selection import Choice
+from linkwright.kernels.kernel_selection import KernelChoice
 from linkwright.presentation.blocks import FileOf, StudyReport
 from linkwright.results import Run
 from linkwright.studies.cycle.options import span
 from linkwright.studies.plans import Plan
 from linkwright.studies.registry import Command, Setting, Study, register
-from linkwright.studies.run_context import Site
+from linkwright.studies.run_context import RunContext
 from linkwright.studies.sampling import Performed, chosen, perform, refused
 from linkwright.studies.sampling_state import store
 from linkwright.studies.sampling_task import FINE
 from linkwright.studies.shares import Share, wilson
 from linkwright.studies.sweep.files import dataset
 from linkwright.studies.sweep.options import SAMPLES, SweepOptions, check
-from linkwright.studies.sweep.outcome import Statistics, SweepOutcome, Table, bands
+from linkwright.studies.sweep.outcome import SampleTable, Statistics, SweepOutcome, bands
 from linkwright.studies.sweep.report import report
 
 
@@ -57,7 +57,7 @@ class SweepStudy(Study):
         """The samples, by the plan."""
         return _plan(compiled, options)
 
-    def run(self, compiled: Compiled, options: SweepOptions, site: Site) -> SweepOutcome:
+    def run(self, compiled: Compiled, options: SweepOptions, site: RunContext) -> SweepOutcome:
         """Perform the sweep, going on with an interrupted one in the site's folder.
 
         Raises :class:`Interrupted`, and :class:`ModelError` where it can't be carried on.
@@ -90,7 +90,7 @@ def _plan(compiled: Compiled, options: SweepOptions) -> Plan:
     return options.planned(spreads)(spreads, options.samples or SAMPLES, options.seed, tuple(options.vary))
 
 
-def _outcome(compiled: Compiled, options: SweepOptions, done: Performed, choice: Choice) -> SweepOutcome:
+def _outcome(compiled: Compiled, options: SweepOptions, done: Performed, choice: KernelChoice) -> SweepOutcome:
     task, kept = done.task, done.kept
     plan = _plan(compiled, options)
     outcome = SweepOutcome(compiled, options, plan, task.run, choice.kernel, choice.reason, failed=done.failed)
@@ -110,7 +110,7 @@ def _outcome(compiled: Compiled, options: SweepOptions, done: Performed, choice:
     if rows is not None:
         values = np.concatenate([task.plan.values(unit) for unit in range(task.cut.units)], axis=1)
         lacking = kept.samples.cause != FINE
-        outcome.table = Table(values, rows[:figures], rows[figures:] > 0.5, lacking, kept.samples.since)
+        outcome.table = SampleTable(values, rows[:figures], rows[figures:] > 0.5, lacking, kept.samples.since)
     found = [*done.findings()]
     if outcome.failed == outcome.samples:
         outcome.failures = found

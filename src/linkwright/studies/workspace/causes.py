@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.elements.clearance import Held, Known
+from linkwright.elements.clearance import Known, LooseJoint
 from linkwright.graph.rows import Named
 from linkwright.studies.accuracy.clearance_contacts import columns, named
 from linkwright.studies.accuracy.contributors import Contributors
@@ -24,13 +24,13 @@ class Causes:
     """The contributors with their deviations, and the joints ``held`` with clearance.
 
     To first order each has columns, derivatives by what it does: a contributor one, by its deviation within its limits;
-    a joint those by its displacements (m) as :class:`Held` has them. Those of a pin are one vector of any direction and
-    of a length up to the clearance; those of a guide, at its two ends, are free of each other, up to the clearance to
-    either side, as that of a flank is.
+    a joint those by its displacements (m) as :class:`LooseJoint` has them. Those of a pin are one vector of any
+    direction and of a length up to the clearance; those of a guide, at its two ends, are free of each other, up to the
+    clearance to either side, as that of a flank is.
     """
 
     contributors: Contributors
-    held: tuple[Held, ...] = ()
+    held: tuple[LooseJoint, ...] = ()
 
     @property
     def names(self) -> list[str]:

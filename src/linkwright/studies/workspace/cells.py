@@ -19,8 +19,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.enclosures.angles import numbered
-from linkwright.enclosures.forms import Form
-from linkwright.studies.workspace.places import Places
+from linkwright.enclosures.forms import AffineForm
+from linkwright.studies.workspace.places import ModePlaces
 
 Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
@@ -104,7 +104,7 @@ def joined(parts: list[Cells]) -> Cells:
 
 
 @dataclass(frozen=True)
-class Straight:
+class LinearForms:
     """Linear forms over cells, by pairs of a cell, numbered ``of`` (pairs,), and a pose that may reach it: ``value``
     and ``rest`` (functions, pairs), ``slope`` (2, functions, pairs); coordinates run from -1 to 1 over the cell.
     Functions that are positive all over it are left as 1."""
@@ -151,7 +151,7 @@ class Decided:
     edge: Cells
     least: Array
     most: Array
-    forms: Straight
+    forms: LinearForms
 
     @property
     def area(self) -> tuple[float, float]:
@@ -162,7 +162,7 @@ class Decided:
         return inner + float((self.least * own).sum()) - slack, inner + float((self.most * own).sum()) + slack
 
 
-def decided(places: Places, corner: Array, side: float, extent: float, deep: int = DEEP) -> Decided:
+def decided(places: ModePlaces, corner: Array, side: float, extent: float, deep: int = DEEP) -> Decided:
     """The square of a ``side`` from a ``corner`` (2,), in which all of a region of some ``extent`` (m) lies; cells are
     halved at most ``deep`` times more than everywhere along the edge."""
     axis = np.arange(2**COARSE)
@@ -172,13 +172,13 @@ def decided(places: Places, corner: Array, side: float, extent: float, deep: int
     return _cut(places, cells, fine, min(fine + deep, DEEPEST), little)
 
 
-def cut_on(places: Places, found: Decided, which: Mask) -> Decided:
+def cut_on(places: ModePlaces, found: Decided, which: Mask) -> Decided:
     """The same with some of the open cells cut on; the edge is traced in the same cells."""
     # Keep the cells that are not chosen, with renumbered bounds; subdivide the others level by level.
     rest = found.open.some(~which)
     kept = ~which[found.forms.of]
     number = np.cumsum(~which) - 1
-    forms = Straight(number[found.forms.of[kept]], *(part[..., kept] for part in found.forms.arrays))
+    forms = LinearForms(number[found.forms.of[kept]], *(part[..., kept] for part in found.forms.arrays))
     made = [Decided(found.reached, found.never, rest, found.edge, found.least[~which], found.most[~which], forms)]
     for level in np.unique(found.open.level[which]):
         some = found.open.some(which & (found.open.level == level)).quarters()
@@ -193,10 +193,10 @@ def _together(parts: list[Decided], edge: Cells) -> Decided:
     arrays = (np.concatenate(some, axis=-1) for some in zip(*(part.forms.arrays for part in parts), strict=True))
     reached, never, open_ = (joined([getattr(part, name) for part in parts]) for name in ("reached", "never", "open"))
     least, most = (np.concatenate([getattr(part, name) for part in parts]) for name in ("least", "most"))
-    return Decided(reached, never, open_, edge, least, most, Straight(of, *arrays))
+    return Decided(reached, never, open_, edge, least, most, LinearForms(of, *arrays))
 
 
-def _cut(places: Places, cells: Cells, fine: int, deep: int, little: float) -> Decided:
+def _cut(places: ModePlaces, cells: Cells, fine: int, deep: int, little: float) -> Decided:
     """Cells of one level, cut into four until they are decided; from level ``fine`` on only where the edge isn't one
     line, down to level ``deep`` or until no more than a share ``little`` of the area is open."""
     count, empty = len(places.branches), cells.some(slice(0, 0))
@@ -254,7 +254,7 @@ def _cut(places: Places, cells: Cells, fine: int, deep: int, little: float) -> D
 
 
 def _nothing(empty: Cells, functions: int) -> Decided:
-    none = Straight(
+    none = LinearForms(
         np.empty(0, dtype=np.intp), np.empty((functions, 0)), np.empty((functions, 0)), np.empty((2, functions, 0))
     )
     return Decided(empty, empty, empty, empty, np.empty(0), np.empty(0), none)
@@ -266,7 +266,7 @@ class _Forms:
     A function is ``open`` where its sign isn't known all over the cell; a pair ``dead`` where one is negative.
     """
 
-    def __init__(self, forms: Form, of: Rows, count: int) -> None:
+    def __init__(self, forms: AffineForm, of: Rows, count: int) -> None:
         self.of, self.count = of, count
         # Functions without finite bounds are treated as unknown: value 0, remainder infinite.
         low, high = forms.ends
@@ -321,13 +321,13 @@ class _Forms:
         np.add.at(most, of[new], may[which[new], new])
         return least, np.minimum(most, 1.0)
 
-    def straight(self, kept: Mask, stays: Mask) -> Straight:
+    def straight(self, kept: Mask, stays: Mask) -> LinearForms:
         """The forms of the cells that stay."""
         pairs = np.flatnonzero(kept & stays[self.of])
         number = np.cumsum(stays) - 1
         open_ = self.open[:, pairs]
         value, rest = np.where(open_, self.value[:, pairs], 1.0), np.where(open_, self.rest[:, pairs], 0.0)
-        return Straight(number[self.of[pairs]], value, rest, np.where(open_, self.slope[:, :, pairs], 0.0))
+        return LinearForms(number[self.of[pairs]], value, rest, np.where(open_, self.slope[:, :, pairs], 0.0))
 
 
 def _share(value: Array, slope: Array) -> Array:

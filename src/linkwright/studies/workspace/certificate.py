@@ -24,7 +24,7 @@ from linkwright.studies.workspace.cells import (
     key,
     known_corners,
 )
-from linkwright.studies.workspace.places import Places
+from linkwright.studies.workspace.places import ModePlaces
 from linkwright.studies.workspace.shapes import figures
 
 Array = NDArray[np.float64]
@@ -44,7 +44,7 @@ CLOSE = 1e-9
 
 
 @dataclass(frozen=True)
-class Fault:
+class Contradiction:
     """What contradicts a region: which ``kind`` of contradiction, of what ``size`` (m2, m, a share), and where (m)."""
 
     kind: str
@@ -53,7 +53,7 @@ class Fault:
 
 
 @dataclass(frozen=True)
-class Certificate:
+class RegionCertificate:
     """``area`` (m2) holds the region's area between two bounds; ``parts`` and ``holes`` say whether these counts are
     sure, but for parts and holes narrower than ``finest`` (m)."""
 
@@ -62,7 +62,7 @@ class Certificate:
     parts: bool = False
     holes: bool = False
     finest: float = 0.0
-    faults: tuple[Fault, ...] = ()
+    faults: tuple[Contradiction, ...] = ()
 
     @property
     def certified(self) -> bool:
@@ -75,10 +75,10 @@ class Certificate:
         return None if self.area is None else self.area[1] - self.area[0]
 
 
-UNPROVEN = Certificate(SEARCHED)
+UNPROVEN = RegionCertificate(SEARCHED)
 
 
-def certified(places: Places, decided: Decided, shape: Any, chord: float) -> Certificate:
+def certified(places: ModePlaces, decided: Decided, shape: Any, chord: float) -> RegionCertificate:
     """The certificate of a shape."""
     parts, holes, doubtful = _counts(decided)
     for _ in range(ROUNDS):
@@ -90,19 +90,19 @@ def certified(places: Places, decided: Decided, shape: Any, chord: float) -> Cer
     faults = [*_area(decided, shape, chord), *_cells(decided, shape, chord), *_back(places, decided, shape)]
     own = figures(shape)
     finest = decided.open.side * 2.0**-DEEPEST
-    return Certificate(ENCLOSED, (low, high), parts == own.parts, holes == own.holes, finest, tuple(faults))
+    return RegionCertificate(ENCLOSED, (low, high), parts == own.parts, holes == own.holes, finest, tuple(faults))
 
 
-def _area(decided: Decided, shape: Any, chord: float) -> list[Fault]:
+def _area(decided: Decided, shape: Any, chord: float) -> list[Contradiction]:
     """The area beyond its bounds, or too much of it open."""
     low, high = decided.area
     slack, found = chord * shape.length, []
     off = max(low - shape.area - slack, shape.area - high - slack)
     where = _worst(decided)
     if off > 0:
-        found.append(Fault("area", off, where))
+        found.append(Contradiction("area", off, where))
     if high - low > OPEN * max(shape.area, low):
-        found.append(Fault("open", high - low, where))
+        found.append(Contradiction("open", high - low, where))
     return found
 
 
@@ -115,7 +115,7 @@ def _worst(decided: Decided) -> tuple[float, float]:
     return x, y
 
 
-def _cells(decided: Decided, shape: Any, chord: float) -> list[Fault]:
+def _cells(decided: Decided, shape: Any, chord: float) -> list[Contradiction]:
     """Decided cells that lie on the other side of the edge, and such into which it runs."""
     import shapely
 
@@ -127,7 +127,7 @@ def _cells(decided: Decided, shape: Any, chord: float) -> list[Fault]:
         wrong = wrong.some(far if len(far) else slice(0, 0))
         if wrong.level.size:
             x, y = wrong.middle[:, int(wrong.size.argmax())].tolist()
-            found.append(Fault(kind, float((wrong.size**2).sum()), (x, y)))
+            found.append(Contradiction(kind, float((wrong.size**2).sum()), (x, y)))
     cells = joined([decided.reached, decided.never])
     margin = BESIDE * chord
     wide = cells.some(cells.size > 4 * margin)
@@ -135,7 +135,7 @@ def _cells(decided: Decided, shape: Any, chord: float) -> list[Fault]:
     within = _inside(wide, corners, margin)
     if within.any():
         x, y = corners[:, within][:, 0].tolist()
-        found.append(Fault("edge", float(within.sum()), (x, y)))
+        found.append(Contradiction("edge", float(within.sum()), (x, y)))
     return found
 
 
@@ -151,7 +151,7 @@ def _inside(cells: Cells, at: Array, margin: float) -> Mask:
     return found
 
 
-def _back(places: Places, decided: Decided, shape: Any) -> list[Fault]:
+def _back(places: ModePlaces, decided: Decided, shape: Any) -> list[Contradiction]:
     """Places of decided cells whose drive values lead elsewhere, or from which no pose comes back."""
     cells = decided.reached
     if not cells.level.size:
@@ -168,7 +168,7 @@ def _back(places: Places, decided: Decided, shape: Any) -> list[Fault]:
     if not wrong.any():
         return []
     x, y = at[:, wrong][:, 0].tolist()
-    return [Fault("back", float(wrong.mean()), (x, y))]
+    return [Contradiction("back", float(wrong.mean()), (x, y))]
 
 
 def _counts(decided: Decided) -> tuple[int | None, int | None, Mask]:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from linkwright.kernels import Compiled
 from linkwright.studies.workspace.mesh import RIM, halved
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.sheet import ModeSheet
 
 Array = NDArray[np.float64]
 
@@ -19,7 +19,7 @@ ROUNDS = 16
 
 
 @dataclass(frozen=True)
-class Stretch:
+class CurveStretch:
     """An unbroken piece of a curve: drive values (n,), places (2, n) in m; ``closed`` where its end is its start."""
 
     q: Array
@@ -33,13 +33,13 @@ class Stretch:
 
 
 @dataclass(frozen=True)
-class Curve:
+class CouplerCurve:
     """The curve of one assembly mode of a mechanism with one drive."""
 
     mode: str
     signs: tuple[float, ...]
     drive: str
-    stretches: tuple[Stretch, ...]
+    stretches: tuple[CurveStretch, ...]
 
     @property
     def length(self) -> float:
@@ -63,10 +63,10 @@ def curve(
     ends: tuple[float, float],
     turns: bool,
     chord: float,
-) -> Curve:
+) -> CouplerCurve:
     """The curve of a point over a drive's range."""
     (drive,) = compiled.graph.drives
-    sheet: Any = Sheet(compiled, point, (drive,), signs, parameters)  # type: ignore[arg-type]
+    sheet: Any = ModeSheet(compiled, point, (drive,), signs, parameters)  # type: ignore[arg-type]
 
     def inside(q: Array) -> NDArray[np.bool_]:
         return np.asarray(sheet.place(q[None])[1] > RIM)
@@ -86,14 +86,14 @@ def curve(
         if after < q.size:
             run = np.concatenate([run, [_end(inside, q[after - 1], q[after])]])
         stretches.append(_refined(sheet, run, chord, whole))
-    return Curve(mode, signs, drive, tuple(stretches))
+    return CouplerCurve(mode, signs, drive, tuple(stretches))
 
 
 def _end(inside: Any, good: float, bad: float) -> float:
     return float(good + halved(lambda s: inside(good + s * (bad - good)), 1)[0] * (bad - good))
 
 
-def _refined(sheet: Any, q: Array, chord: float, closed: bool) -> Stretch:
+def _refined(sheet: Any, q: Array, chord: float, closed: bool) -> CurveStretch:
     """Steps halved until the middle of each lies within ``chord`` of its chord."""
     at = sheet.place(q[None])[0]
     for _ in range(ROUNDS):
@@ -107,4 +107,4 @@ def _refined(sheet: Any, q: Array, chord: float, closed: bool) -> Stretch:
             break
         q = np.insert(q, coarse + 1, middle[coarse])
         at = np.insert(at, coarse + 1, there[:, coarse], axis=1)
-    return Stretch(q, at, closed)
+    return CurveStretch(q, at, closed)

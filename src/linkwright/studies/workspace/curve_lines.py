@@ -7,12 +7,12 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 
 from linkwright.drawing.charts import points
-from linkwright.drawing.plane import Plane
+from linkwright.drawing.plane import PicturePlane
 from linkwright.studies.workspace.curves import Segments
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.sheet import ModeSheet
 
 
-def lines(sheet: Sheet, segments: Iterable[Segments], kind: str, plane: Plane, size: float) -> Iterator[str]:
+def lines(sheet: ModeSheet, segments: Iterable[Segments], kind: str, plane: PicturePlane, size: float) -> Iterator[str]:
     """The curves of a kind, joined and thinned."""
     import shapely
 

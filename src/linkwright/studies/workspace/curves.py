@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from linkwright.results.stationary import bracketed
 from linkwright.studies.workspace.mesh import HALVINGS, RIM, Mesh, halved, numbered, sides_of
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.sheet import ModeSheet
 
 Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
@@ -61,12 +61,12 @@ class Segments:
         return Segments(self.kind, self.a[:, near], self.b[:, near], self.off[near])
 
 
-def curves(sheet: Sheet, mesh: Mesh, chord: float) -> list[Segments]:
+def curves(sheet: ModeSheet, mesh: Mesh, chord: float) -> list[Segments]:
     """All of a sheet's curves, their paths' chords within ``chord`` (m)."""
     return smooth(sheet, traced(sheet, mesh), chord)
 
 
-def traced(sheet: Sheet, mesh: Mesh, levels: int = LEVELS, rings: Sequence[int] = RINGS) -> Traced:
+def traced(sheet: ModeSheet, mesh: Mesh, levels: int = LEVELS, rings: Sequence[int] = RINGS) -> Traced:
     """All of a sheet's curves by their kinds: pieces as a mesh has them, the singular curve's one in each triangle that
     it passes. Those of the other kinds are cut where it meets them. With fewer ``levels`` of finer triangles, pieces
     near places where it crosses itself may lead astray."""
@@ -83,7 +83,7 @@ def traced(sheet: Sheet, mesh: Mesh, levels: int = LEVELS, rings: Sequence[int] 
     return {"singular": pieces} | {kind: _stopped(mesh.q, pairs, cuts) for kind, pairs in others.items()}
 
 
-def smooth(sheet: Sheet, pieces: Traced, chord: float) -> list[Segments]:
+def smooth(sheet: ModeSheet, pieces: Traced, chord: float) -> list[Segments]:
     """Curves refined until their paths' chords are within ``chord`` (m)."""
     zero = {"singular": lambda q: sheet.look(q).numerator, "modes": lambda q: sheet.place(q)[1] - RIM}
     return [refined(sheet, kind, ends, chord, zero.get(kind)) for kind, ends in pieces.items()]
@@ -101,7 +101,7 @@ def _stopped(q: Array, pairs: Rows, cuts: Mapping[tuple[int, int], Array]) -> En
 
 
 def _passing(
-    sheet: Sheet,
+    sheet: ModeSheet,
     q: Array,
     triangles: Rows,
     border: tuple[Rows, Rows],
@@ -156,7 +156,7 @@ def _passing(
     return np.concatenate([a[:, kept], inner[0]], axis=1), np.concatenate([b[:, kept], inner[1]], axis=1)
 
 
-def _loose(sheet: Sheet, mesh: Mesh, a: Array, b: Array) -> bool:
+def _loose(sheet: ModeSheet, mesh: Mesh, a: Array, b: Array) -> bool:
     """Whether some piece of the singular curve ends where no other begins, not on the rim nor on the mesh's border."""
     from scipy.spatial import cKDTree
 
@@ -173,7 +173,7 @@ def _loose(sheet: Sheet, mesh: Mesh, a: Array, b: Array) -> bool:
     return bool((count % 2).any())
 
 
-def _followed(sheet: Sheet, a: Array, b: Array) -> Mask:
+def _followed(sheet: ModeSheet, a: Array, b: Array) -> Mask:
     """Whether pieces of the singular curve can be halved twice."""
 
     def f(q: Array) -> Array:
@@ -184,12 +184,12 @@ def _followed(sheet: Sheet, a: Array, b: Array) -> Mask:
     return np.asarray(found & beside(f, *halves, rough=True)[1].reshape(2, -1).all(axis=0))
 
 
-def _turning(sheet: Sheet, path: Callable[..., Array], sign: Mask) -> Array:
+def _turning(sheet: ModeSheet, path: Callable[..., Array], sign: Mask) -> Array:
     """The shares of paths up to which the numerator has its first sign."""
     return halved(lambda share: (sheet.look(path(share, TURNED)).numerator >= 0) == sign, sign.size, TURNED)
 
 
-def _zeros(sheet: Sheet, a: Array, b: Array) -> Array:
+def _zeros(sheet: ModeSheet, a: Array, b: Array) -> Array:
     """The places (2, n) between a and b at which the numerator, of opposite signs there, changes it."""
 
     def f(share: Array, rows: Rows) -> Array:
@@ -220,7 +220,7 @@ def _among(pairs: Rows, known: Rows) -> Mask:
     return np.isin(pairs[:, 0] * size + pairs[:, 1], known[:, 0] * size + known[:, 1])
 
 
-def _along_rim(sheet: Sheet, a: Array, b: Array) -> Callable[..., Array]:
+def _along_rim(sheet: ModeSheet, a: Array, b: Array) -> Callable[..., Array]:
     """The rim between two places on it: from the chord across to where the reach is that of the rim."""
     # Unit direction across the chord; the rim lies a little to one side of it.
     across = np.stack([a[1] - b[1], b[0] - a[0]])
@@ -241,13 +241,13 @@ def _along_rim(sheet: Sheet, a: Array, b: Array) -> Callable[..., Array]:
     return path
 
 
-def _to_rim(sheet: Sheet, start: Array, step: Array, inside: Mask, times: int) -> Array:
+def _to_rim(sheet: ModeSheet, start: Array, step: Array, inside: Mask, times: int) -> Array:
     """The places on the rim between start and start + step, just inside, by so many halvings."""
     at = halved(lambda share: (sheet.place(start + share * step)[1] > RIM) == inside, inside.size, times)
     return np.asarray(start + np.where(inside, at, at + 2.0**-times) * step)
 
 
-def refined(sheet: Sheet, kind: str, ends: Ends, chord: float, f: Callable[[Array], Array] | None) -> Segments:
+def refined(sheet: ModeSheet, kind: str, ends: Ends, chord: float, f: Callable[[Array], Array] | None) -> Segments:
     """Segments halved until the middle of each path lies within ``chord`` of its chord; the curve is where ``f`` is 0,
     or straight in the drives' plane."""
     a, b = ends
@@ -277,7 +277,9 @@ def refined(sheet: Sheet, kind: str, ends: Ends, chord: float, f: Callable[[Arra
     return Segments(kind, *(np.concatenate(parts, axis=-1) for parts in zip(*done, strict=True)))
 
 
-def _halves(sheet: Sheet, f: Callable[[Array], Array] | None, a: Array, middle: Array, b: Array, chord: float) -> Mask:
+def _halves(
+    sheet: ModeSheet, f: Callable[[Array], Array] | None, a: Array, middle: Array, b: Array, chord: float
+) -> Mask:
     """Whether the middles of both halves of segments' paths lie within ``chord`` too: a segment that leads from curve
     to curve may pass the middle of its path by accident."""
     first, last = np.concatenate([a, middle], axis=1), np.concatenate([middle, b], axis=1)

@@ -20,11 +20,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.studies.workspace.mesh import Box
-from linkwright.studies.workspace.target_path import Wanted
+from linkwright.studies.workspace.mesh import DriveBox
+from linkwright.studies.workspace.target_path import TargetPath
 
 if TYPE_CHECKING:
-    from linkwright.studies.workspace.path_continuation import Mover
+    from linkwright.studies.workspace.path_continuation import SheetWithRates
 
 Array = NDArray[np.float64]
 
@@ -46,9 +46,9 @@ class Bridge:
 
 
 def bridge(
-    mover: Mover,
-    box: Box,
-    wanted: Wanted,
+    mover: SheetWithRates,
+    box: DriveBox,
+    wanted: TargetPath,
     u: Sequence[float],
     nodes: Sequence[Array],
     signs: Sequence[float],
@@ -77,7 +77,7 @@ def bridge(
     return best
 
 
-def box_left(box: Box, q: Array) -> NDArray[np.bool_]:
+def box_left(box: DriveBox, q: Array) -> NDArray[np.bool_]:
     """Which drives are beyond the ends of their ranges."""
     slack = 1e-12 * box.size
     return ~np.array(box.turns) & ((q < np.array(box.low) - slack) | (q > np.array(box.high) + slack))
@@ -91,7 +91,15 @@ def curve(u: Array, nodes: Array) -> Any:
 
 
 def _bridged(
-    mover: Mover, scale: Array, wanted: Wanted, k: int, u: float, wide: float, node: Array, before: float, off: float
+    mover: SheetWithRates,
+    scale: Array,
+    wanted: TargetPath,
+    k: int,
+    u: float,
+    wide: float,
+    node: Array,
+    before: float,
+    off: float,
 ) -> Bridge | None:
     # Predict the far end by Taylor series and correct it onto the path.
     foretold = node[0] + wide * node[1] + wide**2 / 2 * node[2]

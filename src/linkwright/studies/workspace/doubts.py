@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from linkwright.expressions import units as u
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.studies.workspace.certificate import Certificate, Fault
+from linkwright.studies.workspace.certificate import Contradiction, RegionCertificate
 
 
 @dataclass(frozen=True)
@@ -43,12 +43,12 @@ KINDS: dict[str, tuple[str, Told]] = {
 """Of each kind of fault its finding, and how its size is told."""
 
 
-def sized(fault: Fault, size: float) -> float:
+def sized(fault: Contradiction, size: float) -> float:
     """The size of a fault with lengths in units of ``size`` m."""
     return fault.size / size ** KINDS[fault.kind][1].power
 
 
-def doubts(compiled: Compiled, where: tuple[str, ...], mode: str, certificate: Certificate) -> Iterator[Finding]:
+def doubts(compiled: Compiled, where: tuple[str, ...], mode: str, certificate: RegionCertificate) -> Iterator[Finding]:
     """A finding for each fault of a mode's certificate, in the file's units."""
     unit, size = compiled.quantities.unit_of(u.LENGTH)
     for fault in certificate.faults:

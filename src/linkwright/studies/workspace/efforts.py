@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from linkwright.kernels import KERNELS
 from linkwright.kernels.external_inputs import Supply
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.sheet import ModeSheet
 
 Array = NDArray[np.float64]
 NOTHING = 1e-12
@@ -35,7 +35,7 @@ class Efforts:
     share: float | None
 
 
-def efforts(sheet: Sheet, names: tuple[str, str], at: Motion, t: Array) -> Efforts:
+def efforts(sheet: ModeSheet, names: tuple[str, str], at: Motion, t: Array) -> Efforts:
     """Along a motion: ``at(t)`` gives the drives ``names`` with two rates, (3, 2, n), and the path's u."""
     from scipy.integrate import trapezoid
 

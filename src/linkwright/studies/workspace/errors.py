@@ -23,8 +23,8 @@ from linkwright.kernels.registry import Kernel
 from linkwright.structure import Group
 from linkwright.studies.workspace.causes import Causes
 from linkwright.studies.workspace.maps import Maps, mapped
-from linkwright.studies.workspace.mesh import Box
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.mesh import DriveBox
+from linkwright.studies.workspace.sheet import ModeSheet
 
 Array = NDArray[np.float64]
 
@@ -44,7 +44,7 @@ POSES: dict[str, Callable[[Group], tuple[str, str]]] = {
 class Errors:
     """The errors of the working point by what causes them, at given drive values."""
 
-    def __init__(self, sheet: Sheet, causes: Causes, count: int) -> None:
+    def __init__(self, sheet: ModeSheet, causes: Causes, count: int) -> None:
         self.sheet, self.causes = sheet, causes
         self.graph = sheet.compiled.graph
         groups = sheet.compiled.structure.groups
@@ -111,7 +111,7 @@ class Errors:
         return {name: np.where(outside, np.nan, row) for name, row in found.items()}
 
 
-def errors(sheet: Sheet, box: Box, causes: Causes, steps: int = STEPS) -> Maps:
+def errors(sheet: ModeSheet, box: DriveBox, causes: Causes, steps: int = STEPS) -> Maps:
     """Maps of the working point's errors (m), of first order, on ``steps`` equal steps of each drive.
 
     Worst case: ``error x least`` and ``most`` are its limits along x, y likewise; ``error worst`` is the farthest that

@@ -18,7 +18,7 @@ from linkwright.expressions import units as u
 from linkwright.findings import Said
 from linkwright.model.csv_text import cell, head, written
 from linkwright.presentation.blocks import FileOf
-from linkwright.studies.workspace.mesh import Box
+from linkwright.studies.workspace.mesh import DriveBox
 from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome
 from linkwright.studies.workspace.parts_report import FILES as PARTS
 from linkwright.studies.workspace.parts_report import written as parts
@@ -103,7 +103,7 @@ def _rows(outcome: WorkspaceOutcome, names: list[str], size: float, sizes: list[
 Ring = tuple[str, int, int, Array, Array, list[str]]
 
 
-def _rings(one: Workspace, box: Box | None) -> Iterator[Ring]:
+def _rings(one: Workspace, box: DriveBox | None) -> Iterator[Ring]:
     """Each ring: mode, number of the part, number of the ring (0 is the outer one), places, drive values, kinds."""
     for reached in one.regions:
         reaching = Reaching(reached, box or reached.region.box)
@@ -120,7 +120,7 @@ class Reaching:
     """The drive values that reach points of a region's boundary, on the pieces of its curves; whole turns within the
     ranges of ``box``."""
 
-    def __init__(self, reached: Reached, box: Box) -> None:
+    def __init__(self, reached: Reached, box: DriveBox) -> None:
         import shapely
 
         self.box = box

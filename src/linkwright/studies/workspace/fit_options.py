@@ -15,7 +15,7 @@ from linkwright.expressions.typed_fields import Context, Quantity, Sign
 from linkwright.expressions.written import Fault
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model.walk import Place, sites
+from linkwright.model.walk import ExpressionPlace, sites
 from linkwright.studies.numbers import constant
 from linkwright.studies.sampling_options import one_of
 from linkwright.studies.workspace.path_options import positive
@@ -66,7 +66,7 @@ class RequiredFit(Frozen):
             if kinds and key in given and not fitting:
                 yield "workspace.path-key", {"key": key, "of": of}
 
-    def stated(self, compiled: Compiled, name: str) -> Iterator[tuple[Place, Sign]]:
+    def stated(self, compiled: Compiled, name: str) -> Iterator[tuple[ExpressionPlace, Sign]]:
         """The numbers of the figure of this name, each with the sign that it must have."""
         for site in sites(self, Context(compiled.mechanism, (*PATH, name))):
             yield from ((place, site.parts[0][1].sign_at(site.context)) for place in site.places())

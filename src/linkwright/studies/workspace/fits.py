@@ -25,7 +25,7 @@ MOST = 200_000
 
 
 @dataclass(frozen=True)
-class Circle:
+class LargestCircle:
     """The largest circle (m); no other has a radius above ``at_most``."""
 
     centre: tuple[float, float]
@@ -46,7 +46,7 @@ class Rectangle:
 
 
 @dataclass(frozen=True)
-class Fit:
+class FigureMargin:
     """Whether a required figure fits. ``margin`` (m) is the least distance from it to what can't be reached; where it
     doesn't fit, less zero: how far its farthest place lies off the region (to 1e-4 of its size). ``scale`` is the
     largest factor by which it fits when it grows or shrinks about its centre, ``outside`` the share of its area off the
@@ -59,7 +59,7 @@ class Fit:
     outside: float
 
 
-def largest_circle(shape: Any, precision: float = PRECISION) -> Circle | None:
+def largest_circle(shape: Any, precision: float = PRECISION) -> LargestCircle | None:
     """In a region (Shapely polygons, m), to a share ``precision`` of its extent; ``None`` where it is empty."""
     import shapely
 
@@ -68,7 +68,7 @@ def largest_circle(shape: Any, precision: float = PRECISION) -> Circle | None:
     close = precision * _extent(shape)
     spoke = shapely.get_coordinates(shapely.maximum_inscribed_circle(shape, tolerance=close))
     radius = float(shapely.distance(shape.boundary, shapely.Point(spoke[0])))
-    return Circle((float(spoke[0, 0]), float(spoke[0, 1])), radius, radius + close)
+    return LargestCircle((float(spoke[0, 0]), float(spoke[0, 1])), radius, radius + close)
 
 
 def largest_rectangle(shape: Any, aspect: float, angle: float, precision: float = PRECISION) -> Rectangle | None:
@@ -143,7 +143,7 @@ def _near(shape: Any, at: Array, half: float) -> NDArray[np.bool_]:
     return np.asarray(shapely.intersects(shape, shapely.box(x - half, y - half, x + half, y + half)))
 
 
-def circle_fits(shape: Any, radius: float, centre: tuple[float, float] | None = None) -> Fit | None:
+def circle_fits(shape: Any, radius: float, centre: tuple[float, float] | None = None) -> FigureMargin | None:
     """Whether a circle fits into a region (Shapely polygons, m): at its ``centre``, or anywhere; ``None`` where the
     region is empty."""
     import shapely
@@ -164,12 +164,14 @@ def circle_fits(shape: Any, radius: float, centre: tuple[float, float] | None = 
     fits = bool(room >= radius)
     margin = room - radius if fits else -_farthest(shape, over, radius, disc=True)
     disc = point.buffer(radius, quad_segs=256)
-    return Fit(fits, centre, margin, room / radius, 0.0 if fits else float(disc.difference(shape).area / disc.area))
+    return FigureMargin(
+        fits, centre, margin, room / radius, 0.0 if fits else float(disc.difference(shape).area / disc.area)
+    )
 
 
 def rectangle_fits(
     shape: Any, width: float, height: float, angle: float = 0.0, centre: tuple[float, float] | None = None
-) -> Fit | None:
+) -> FigureMargin | None:
     """Whether a rectangle, its width at ``angle`` (rad) to the x axis, fits into a region (Shapely polygons, m): at its
     ``centre``, or anywhere; ``None`` where the region is empty."""
     import shapely
@@ -199,7 +201,7 @@ def rectangle_fits(
         inside = shape.covers(shapely.Polygon(over(middle * corners).T))
         low, high = (middle, high) if inside else (low, middle)
     margin = float(figure.distance(shape.boundary)) if fits else -_farthest(shape, over, max(width, height) / 2)
-    return Fit(fits, centre, margin, low, 0.0 if fits else float(figure.difference(shape).area / figure.area))
+    return FigureMargin(fits, centre, margin, low, 0.0 if fits else float(figure.difference(shape).area / figure.area))
 
 
 def _farthest(shape: Any, over: Callable[[Array], Array], size: float, disc: bool = False) -> float:

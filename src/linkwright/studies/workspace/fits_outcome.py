@@ -14,8 +14,8 @@ from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.studies.workspace.fit_options import PATH, RequiredFit, RequiredFits
 from linkwright.studies.workspace.fits import (
-    Circle,
-    Fit,
+    FigureMargin,
+    LargestCircle,
     Rectangle,
     circle_fits,
     largest_circle,
@@ -33,7 +33,7 @@ ROUND = 181
 
 
 @dataclass(frozen=True, eq=False)
-class Placed:
+class FigureFit:
     """A figure in a region: ``fit`` of a required one, ``figure`` the largest; ``size`` is a radius, or width and
     height (m), ``angle`` rad."""
 
@@ -43,8 +43,8 @@ class Placed:
     reached: Reached
     size: tuple[float, ...]
     angle: float
-    fit: Fit | None
-    figure: Circle | Rectangle | None
+    fit: FigureMargin | None
+    figure: LargestCircle | Rectangle | None
 
     @property
     def centre(self) -> tuple[float, float]:
@@ -81,20 +81,20 @@ class Required:
     """The part of the outcome: each figure in each region."""
 
     compiled: Compiled
-    placed: tuple[Placed, ...]
+    placed: tuple[FigureFit, ...]
 
     @cached_property
-    def best(self) -> dict[str, Placed]:
+    def best(self) -> dict[str, FigureFit]:
         """The best place of each figure."""
         return self._best(self.placed)
 
-    def within(self, index: int) -> dict[str, Placed]:
+    def within(self, index: int) -> dict[str, FigureFit]:
         """The best place of each figure in one workspace."""
         return self._best(tuple(one for one in self.placed if one.index == index))
 
     @staticmethod
-    def _best(placed: tuple[Placed, ...]) -> dict[str, Placed]:
-        found: dict[str, Placed] = {}
+    def _best(placed: tuple[FigureFit, ...]) -> dict[str, FigureFit]:
+        found: dict[str, FigureFit] = {}
         for one in placed:
             if one.name not in found or one.rank > found[one.name].rank:
                 found[one.name] = one
@@ -104,7 +104,7 @@ class Required:
         """Entries of the summary, in the file's units."""
         return [self._entry(one) for one in self.placed]
 
-    def _entry(self, one: Placed) -> dict[str, Any]:
+    def _entry(self, one: FigureFit) -> dict[str, Any]:
         unit, size = self.compiled.quantities.unit_of(u.LENGTH)
         degree = self.compiled.quantities.unit_of(u.ANGLE)[1]
         keys = ("radius",) if len(one.size) == 1 else ("width", "height")
@@ -143,7 +143,7 @@ def required(fits: RequiredFits, outcome: WorkspaceOutcome) -> Required:
 
 def _placed(
     compiled: Compiled, name: str, figure: RequiredFit, index: int, one: Workspace, reached: Reached
-) -> Placed | None:
+) -> FigureFit | None:
     parameters = parameters_of(one, compiled)
     known: dict[str, list[float]] = {}
     for place, _ in figure.stated(compiled, name):
@@ -152,8 +152,8 @@ def _placed(
     (angle,), (aspect,) = known.get("angle", [0.0]), known.get("aspect", [1.0])
     centre = (known["centre"][0], known["centre"][1]) if "centre" in known else None
     shape = reached.shape
-    fit: Fit | None = None
-    found: Circle | Rectangle | None = None
+    fit: FigureMargin | None = None
+    found: LargestCircle | Rectangle | None = None
     size: tuple[float, ...]
     if figure.circle is not None:
         size = (known["circle"][0],)
@@ -167,10 +167,10 @@ def _placed(
     else:
         found = largest_rectangle(shape, aspect, angle)
         size = (found.width, found.height) if found else ()
-    return Placed(name, index, one, reached, size, angle, fit, found) if fit or found else None
+    return FigureFit(name, index, one, reached, size, angle, fit, found) if fit or found else None
 
 
-def _nowhere(compiled: Compiled, best: Placed) -> Finding:
+def _nowhere(compiled: Compiled, best: FigureFit) -> Finding:
     """What is to be said of a figure that fits nowhere."""
     assert best.fit is not None
     unit, size = compiled.quantities.unit_of(u.LENGTH)

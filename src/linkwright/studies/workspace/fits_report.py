@@ -6,7 +6,7 @@ from typing import Any
 
 from linkwright.findings import Said
 from linkwright.presentation.blocks import Table, table
-from linkwright.presentation.cells import Cell, Number, Unit, numbers, percent
+from linkwright.presentation.cells import Cell, NumberCell, Unit, numbers, percent
 from linkwright.studies.workspace.fits_outcome import Required
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 from linkwright.studies.workspace.overlay import Overlay
@@ -28,7 +28,13 @@ def _cells(entry: dict[str, Any]) -> list[Cell]:
     centre = numbers(entry["centre"], 6, apart=", ")
     fits = "largest" if entry["largest"] else "yes" if entry["fits"] else "no"
     margin, scale = (None, None) if entry["largest"] else (entry["margin"], entry["scale"])
-    return [Said(f"fits.{entry['shape']}", **entry), centre, Said(f"fits.{fits}"), Number(margin, 4), percent(scale)]
+    return [
+        Said(f"fits.{entry['shape']}", **entry),
+        centre,
+        Said(f"fits.{fits}"),
+        NumberCell(margin, 4),
+        percent(scale),
+    ]
 
 
 def fit_overlays(outcome: WorkspaceOutcome, index: int) -> list[Overlay]:

@@ -71,7 +71,7 @@ def guaranteed(region: Region, causes: Causes, limit: float | None = None, steps
     return Guaranteed(region, shape, float(np.min(width)), float(np.max(width)), limit, precise)
 
 
-def _strips(region: Region, made: Sequence[Edge]) -> Any:
+def _strips(region: Region, made: Sequence[BoundaryEdge]) -> Any:
     """Strips along the boundary, each as wide as it moves inward there. Segments in a row that move alike are one, and
     the strip wider by what is cut off."""
     import shapely
@@ -118,7 +118,7 @@ def _rings(shape: Any) -> Any:
 
 
 @dataclass(frozen=True)
-class Edge:
+class BoundaryEdge:
     """The boundary's pieces that lie on one kind of curve.
 
     ``ends`` (2, 2, n) are their places: coordinate, end, piece; ``outward`` (2, n) their unit normals. ``shifts``
@@ -134,7 +134,7 @@ class Edge:
     segment: NDArray[np.intp]
 
 
-def edges(region: Region, found: Errors) -> list[Edge]:
+def edges(region: Region, found: Errors) -> list[BoundaryEdge]:
     """The boundary of a region by the curves on which it lies."""
     import shapely
 
@@ -168,7 +168,7 @@ def edges(region: Region, found: Errors) -> list[Edge]:
             shifts = moved(found, one.kind, seen, outward[:, which[of]], of_used)
             width = np.fmax.reduce(np.maximum(found.causes.most(-shifts), 0.0))
             width[np.isnan(width)] = np.fmax.reduce(width)
-            made.append(Edge(one.kind, ends[:, :, which[of]], outward[:, which[of]], shifts, width, which[of]))
+            made.append(BoundaryEdge(one.kind, ends[:, :, which[of]], outward[:, which[of]], shifts, width, which[of]))
     return made
 
 

@@ -20,9 +20,9 @@ from linkwright.expressions import units as si
 from linkwright.findings import Finding
 from linkwright.results.stationary import bracketed, crossings
 from linkwright.studies.workspace.efforts import Efforts, efforts
-from linkwright.studies.workspace.path_continuation import NEWTON, SOLVED, Track, divided, tracks
+from linkwright.studies.workspace.path_continuation import NEWTON, SOLVED, SolutionTrack, divided, tracks
 from linkwright.studies.workspace.regions import Region
-from linkwright.studies.workspace.target_path import Path_, Wanted
+from linkwright.studies.workspace.target_path import Path_, TargetPath
 
 Array = NDArray[np.float64]
 
@@ -49,7 +49,7 @@ _CODES = {
 
 
 @dataclass(frozen=True)
-class Stretch:
+class BlockedStretch:
     """A stretch u = ``start`` .. ``stop`` of a path that can't be followed, and why: "outside" of the region, by ``by``
     (m) at the most; from ``start`` on: "singular", a singular curve is met; "modes", two assembly modes meet; "limit",
     the ``drive`` is at the end of its range; "turns", the motor would have to turn back."""
@@ -97,14 +97,14 @@ class Way:
     ``solutions``: how many ways at the path's start there were to choose from; what is to be said of it."""
 
     law: ServoLaw | None
-    stretches: tuple[Stretch, ...]
+    stretches: tuple[BlockedStretch, ...]
     solutions: int
     findings: tuple[Finding, ...]
 
 
 def free(
     region: Region,
-    wanted: Wanted,
+    wanted: TargetPath,
     motor: str,
     speed: float,
     samples: int = 361,
@@ -124,7 +124,7 @@ def free(
     pace = np.hypot(*wanted.of(u)[1])
     if pace.min() <= STILL * pace.max():
         return Way(None, (), 0, (Finding("workspace.path-rests", wanted.path, {"u": float(u[pace.argmin()])}),))
-    best: tuple[tuple[float, float], Track, float, bool] | None = None
+    best: tuple[tuple[float, float], SolutionTrack, float, bool] | None = None
     solutions, laps = 0, [wanted, wanted.backward()]
     # Follow the path forward from every solution at its start; if none can be followed to the end, try it backward.
     for backward, way in enumerate(laps):
@@ -165,7 +165,7 @@ Timing = Callable[[Array], Array]
 
 def timed(
     region: Region,
-    wanted: Wanted,
+    wanted: TargetPath,
     motor: str,
     duration: float,
     timing: Timing | None = None,
@@ -197,7 +197,7 @@ def _ruled(nodes: Array, first: Array, second: Array) -> Array:
     return np.stack([nodes[0], nodes[1] * first, nodes[2] * first**2 + nodes[1] * second])
 
 
-def _timed(track: Track, m: int, value: Array, speed: float) -> tuple[Array, Array]:
+def _timed(track: SolutionTrack, m: int, value: Array, speed: float) -> tuple[Array, Array]:
     """Drives (3, 2, n) and u where the motor has a value: F(q1, q2) = p(u) solved for q2 and u; on a bridge q1(u) alone
     for u."""
     made, u = np.empty((3, 2, value.size)), np.empty(value.size)
@@ -217,7 +217,7 @@ def _timed(track: Track, m: int, value: Array, speed: float) -> tuple[Array, Arr
     return _ruled(made, first, -made[2, m] * first**2 / made[1, m]), u
 
 
-def _solved(track: Track, m: int, value: Array) -> tuple[Array, Array]:
+def _solved(track: SolutionTrack, m: int, value: Array) -> tuple[Array, Array]:
     """Drives by u (3, 2, n) and u at values of the motor off all bridges."""
     s, mover = 1 - m, track.mover
     # Start values by inverse interpolation of the motor's value along the track.
@@ -239,7 +239,7 @@ def _solved(track: Track, m: int, value: Array) -> tuple[Array, Array]:
     return mover.along(q, track.wanted.of(u))[0], u
 
 
-def _turned(track: Track, m: int, speed: float) -> float:
+def _turned(track: SolutionTrack, m: int, speed: float) -> float:
     """The u from which on the motor would have to turn back; 1 where it needn't."""
     if track.u.size == 1:  # it ends where it begins
         return 0.0
@@ -259,8 +259,8 @@ def _turned(track: Track, m: int, speed: float) -> float:
 
 def _way(
     region: Region,
-    wanted: Wanted,
-    track: Track,
+    wanted: TargetPath,
+    track: SolutionTrack,
     at: Callable[[Array], tuple[Array, Array]],
     time: float,
     order: tuple[int, int],
@@ -324,24 +324,28 @@ def _time_at(at: Callable[[Array], tuple[Array, Array]], u: float, time: float) 
     return float(bracketed(lambda t, _: at(t)[1] - u, np.zeros(1, dtype=np.intp), *ends)[0])
 
 
-def _comes_back(region: Region, wanted: Wanted, motion: Array) -> bool:
+def _comes_back(region: Region, wanted: TargetPath, motion: Array) -> bool:
     turn = np.where(region.box.turns, 2 * np.pi, np.inf)
     moved = motion[0, :, -1] - motion[0, :, 0]
     whole = np.where(np.isfinite(turn), np.round(moved / np.where(np.isfinite(turn), turn, 1.0)) * 2 * np.pi, 0.0)
     return wanted.closed and bool((np.abs(moved - whole) <= PERIOD).all())
 
 
-def _stretches(region: Region, wanted: Wanted, track: Track | None, turn: float, backward: bool) -> tuple[Stretch, ...]:
+def _stretches(
+    region: Region, wanted: TargetPath, track: SolutionTrack | None, turn: float, backward: bool
+) -> tuple[BlockedStretch, ...]:
     """Where the path can't be followed. A track that is whole proves that the path is inside, whatever the polygon's
     chords say."""
     found = () if track is not None and not track.end else outside(region, wanted)
     if track is None:
-        return found or (Stretch("singular", 0.0, 1.0),)
+        return found or (BlockedStretch("singular", 0.0, 1.0),)
 
-    def beyond(kind: str, u: float, drive: str = "") -> Stretch:
-        return Stretch(kind, 0.0, 1.0 - u, drive=drive) if backward else Stretch(kind, u, 1.0, drive=drive)
+    def beyond(kind: str, u: float, drive: str = "") -> BlockedStretch:
+        return (
+            BlockedStretch(kind, 0.0, 1.0 - u, drive=drive) if backward else BlockedStretch(kind, u, 1.0, drive=drive)
+        )
 
-    more: tuple[Stretch, ...] = ()
+    more: tuple[BlockedStretch, ...] = ()
     at = 1.0 - float(track.u[-1]) if backward else float(track.u[-1])
     if turn < track.u[-1]:
         more = (beyond("turns", turn),)
@@ -350,13 +354,13 @@ def _stretches(region: Region, wanted: Wanted, track: Track | None, turn: float,
     return (*found, *more)
 
 
-def outside(region: Region, wanted: Wanted) -> tuple[Stretch, ...]:
+def outside(region: Region, wanted: TargetPath) -> tuple[BlockedStretch, ...]:
     """The stretches of a path outside a region, and by how much."""
     import shapely
 
     shape: Any = region.shape
     if shape.is_empty:
-        return (Stretch("outside", 0.0, 1.0),)
+        return (BlockedStretch("outside", 0.0, 1.0),)
     low, high = np.array(shape.bounds).reshape(2, 2)
     # The polygon is drawn to a chord tolerance, so points slightly outside of it count as inside.
     slack = INSIDE * float((high - low).max())
@@ -382,11 +386,11 @@ def outside(region: Region, wanted: Wanted) -> tuple[Stretch, ...]:
         # The largest distance over the stretch, from the samples and a finer look.
         inside = far[(u >= start) & (u <= stop)]
         by = float(np.concatenate([inside, away(np.linspace(start, stop, 65))]).max()) + slack
-        found.append(Stretch("outside", float(start), float(stop), by))
+        found.append(BlockedStretch("outside", float(start), float(stop), by))
     return tuple(found)
 
 
-def _said(region: Region, path: Path_, stretches: tuple[Stretch, ...], motor: str) -> tuple[Finding, ...]:
+def _said(region: Region, path: Path_, stretches: tuple[BlockedStretch, ...], motor: str) -> tuple[Finding, ...]:
     """What is to be said of stretches that can't be followed."""
     unit, size = region.sheet.compiled.quantities.unit_of(si.LENGTH)
     findings = []

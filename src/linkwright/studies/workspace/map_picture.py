@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.drawing.charts import LETTER, points, ticks
-from linkwright.drawing.plane import LEFT, LINE, WIDTH, Plane, folded, framed
+from linkwright.drawing.plane import LEFT, LINE, WIDTH, PicturePlane, folded, framed
 from linkwright.drawing.png import png
 from linkwright.escape import markup
 from linkwright.findings import Text
@@ -64,7 +64,7 @@ def levels_of(values: Array) -> list[float]:
 
 
 def map_picture(
-    plane: Plane,
+    plane: PicturePlane,
     axes: tuple[Array, Array],
     values: Array,
     levels: Sequence[float],
@@ -121,7 +121,7 @@ def _rising(values: Array, levels: Sequence[float]) -> Array:
     return np.asarray(np.interp(values[tuple(near)], stops, np.arange(-1, len(levels) + 1)))
 
 
-def _bands(plane: Plane, axes: tuple[Array, Array], rising: Array, count: int) -> str:
+def _bands(plane: PicturePlane, axes: tuple[Array, Array], rising: Array, count: int) -> str:
     """Bands between levels, as an image of few colours."""
     fine = _finer(_finer(rising).T).T
     bands = np.clip(np.floor(fine) + 1, 0, count).astype(np.uint8)
@@ -148,7 +148,7 @@ def colours(count: int) -> NDArray[np.uint8]:
     return np.stack(rows, axis=1).round().astype(np.uint8)
 
 
-def _lines(plane: Plane, axes: tuple[Array, Array], values: Array) -> Iterator[tuple[Array, Array]]:
+def _lines(plane: PicturePlane, axes: tuple[Array, Array], values: Array) -> Iterator[tuple[Array, Array]]:
     """The lines on which values at a grid are zero: places (2, n) in the picture, thinned, and all on the axes."""
     import shapely
 
@@ -166,7 +166,7 @@ def _lines(plane: Plane, axes: tuple[Array, Array], values: Array) -> Iterator[t
             yield shapely.get_coordinates(thin).T, at[:, chain]
 
 
-def _scale(plane: Plane, levels: Sequence[float], name: Text) -> tuple[str, float]:
+def _scale(plane: PicturePlane, levels: Sequence[float], name: Text) -> tuple[str, float]:
     """The colours with the values between them, below the axes, and how much room they take."""
     top = plane.bottom + 56
     rows = [*folded(str(name), int((WIDTH - LEFT) / LETTER))]

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions import units as u
-from linkwright.studies.workspace.maps import Extreme, Map, Maps
+from linkwright.studies.workspace.maps import Map, MapExtreme, Maps
 from linkwright.studies.workspace.outcome import Reached, Workspace
 from linkwright.studies.workspace.shapes import figures
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
 Array = NDArray[np.float64]
-Ends = Mapping[str, tuple[Extreme | None, Extreme | None]]
+Ends = Mapping[str, tuple[MapExtreme | None, MapExtreme | None]]
 """The least and the greatest value of each map; none where the mechanism can be assembled nowhere on the grid."""
 
 
@@ -45,7 +45,7 @@ class RegionMaps:
         return made
 
 
-def _extreme(outcome: WorkspaceOutcome, one: Map, found: Extreme | None) -> dict[str, Any] | None:
+def _extreme(outcome: WorkspaceOutcome, one: Map, found: MapExtreme | None) -> dict[str, Any] | None:
     """A value and where it is; ``None`` as value where it grows without bound."""
     if found is None:
         return None

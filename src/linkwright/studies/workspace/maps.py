@@ -14,7 +14,7 @@ from linkwright.expressions.units import Dimension
 from linkwright.kernels.threaded import pool
 from linkwright.model.quantities import Quantities
 from linkwright.results.stationary import bracketed
-from linkwright.studies.workspace.mesh import Box, halves, sides_of
+from linkwright.studies.workspace.mesh import DriveBox, halves, sides_of
 
 Array = NDArray[np.float64]
 Figures = Callable[[Array], Mapping[str, Array]]
@@ -42,7 +42,7 @@ class Map:
 
 
 @dataclass(frozen=True)
-class Extreme:
+class MapExtreme:
     """The least or greatest value of a map (SI), the drive values (2,) and the place (2,) of the working point.
 
     0 or infinite where it comes as near to that as one likes: then the place is a limit that isn't reached.
@@ -66,21 +66,21 @@ class Maps:
     """Maps on a grid of ``axes``: drive values (steps + 1,) of each drive; ``at`` (2, steps + 1, steps + 1) are the
     places of the working point (m)."""
 
-    box: Box
+    box: DriveBox
     axes: tuple[Array, Array]
     at: Array
     maps: dict[str, Map]
     figures: Figures
 
-    def least(self, name: str) -> Extreme | None:
+    def least(self, name: str) -> MapExtreme | None:
         """The least value of a map; None where the mechanism can be assembled nowhere."""
         return self.ends([name])[name][0]
 
-    def greatest(self, name: str) -> Extreme | None:
+    def greatest(self, name: str) -> MapExtreme | None:
         """The greatest value of a map."""
         return self.ends([name])[name][1]
 
-    def ends(self, names: Sequence[str] | None = None) -> dict[str, tuple[Extreme | None, Extreme | None]]:
+    def ends(self, names: Sequence[str] | None = None) -> dict[str, tuple[MapExtreme | None, MapExtreme | None]]:
         """The least and the greatest value of maps, of all by default: from the best places of the grid, on narrower
         and narrower grids around the best places so far."""
         names = [*self.maps] if names is None else names
@@ -106,7 +106,7 @@ class Maps:
             q = np.where(better, places[:, np.arange(best.size), which], q)
         at = self.figures(q)
         every = [
-            Extreme(_endless(value, start), q[:, i], np.array([at["x"][i], at["y"][i]]))
+            MapExtreme(_endless(value, start), q[:, i], np.array([at["x"][i], at["y"][i]]))
             for i, (value, start) in enumerate(zip((signs[:, 0] * best).tolist(), first.tolist(), strict=True))
         ]
         return {name: (every[i], every[i + 1]) for i, name in _twice(names)}
@@ -146,7 +146,7 @@ def _endless(value: float, first: float) -> float:
     return 0.0 if abs(value) < abs(first) / ENDLESS else value
 
 
-def mapped(quantities: Quantities, box: Box, steps: int, figures: Figures, kinds: Mapping[str, Dimension]) -> Maps:
+def mapped(quantities: Quantities, box: DriveBox, steps: int, figures: Figures, kinds: Mapping[str, Dimension]) -> Maps:
     """Maps of the named figures on ``steps`` equal steps of each drive, ends included."""
     first, second = (np.linspace(a, b, steps + 1) for a, b in zip(box.low, box.high, strict=True))
     grid = np.stack(np.meshgrid(first, second, indexing="ij")).reshape(2, -1)

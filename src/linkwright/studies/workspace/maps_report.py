@@ -10,13 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.drawing.charts import named
-from linkwright.drawing.plane import Plane, framed_box, outline
+from linkwright.drawing.plane import PicturePlane, framed_box, outline
 from linkwright.drawing.tiled import tiled
 from linkwright.expressions import units as u
 from linkwright.findings import Said, Text
 from linkwright.model.csv_text import cell, head, written
 from linkwright.presentation.blocks import Chart, Table, table
-from linkwright.presentation.cells import UNKNOWN, Cell, Number, Numbers, Unit, numbers, percent
+from linkwright.presentation.cells import UNKNOWN, Cell, NumberCell, Numbers, Unit, numbers, percent
 from linkwright.studies.workspace.curve_lines import lines
 from linkwright.studies.workspace.errors_outcome import ErrorsPart, RegionErrors
 from linkwright.studies.workspace.map_picture import levels_of, map_picture
@@ -26,7 +26,7 @@ from linkwright.studies.workspace.quality import better
 from linkwright.studies.workspace.quality_outcome import QualityPart, by_drives, closures
 from linkwright.studies.workspace.raster import raster
 from linkwright.studies.workspace.region_columns import region_cells, region_heads
-from linkwright.studies.workspace.steps import Steps
+from linkwright.studies.workspace.steps import SliderSteps
 
 Array = NDArray[np.float64]
 Part = QualityPart | ErrorsPart
@@ -91,7 +91,7 @@ def quality_tables(outcome: WorkspaceOutcome) -> list[Table]:
 
     def locus(one: dict[str, Any]) -> list[Cell]:
         kind, determinant = Said(f"workspace.locus.{one['kind']}"), one["determinant"] or UNKNOWN
-        return [kind, determinant, Number(one["curves"]), Number(one["length"], 6), unit]
+        return [kind, determinant, NumberCell(one["curves"]), NumberCell(one["length"], 6), unit]
 
     loci = [[*region_cells(outcome, entry), *locus(one)] for entry in entries for one in entry["loci"]]
     front = region_heads(outcome)
@@ -111,7 +111,7 @@ def errors_tables(outcome: WorkspaceOutcome) -> list[Table]:
         unit, front = entry["unit"], region_cells(outcome, entry)
         errors.append([*front, *told, Unit(unit)])
         whats = [entry[kind] for kind in ("guaranteed", "precise") if kind in entry]
-        areas = [cell for w in whats for cell in (Number(w["area"], 6, u.squared(unit)), percent(w["share"]))]
+        areas = [cell for w in whats for cell in (NumberCell(w["area"], 6, u.squared(unit)), percent(w["share"]))]
         sure.append([*front, *areas, numbers(entry["guaranteed"]["inward"], 4, unit)])
     kinds = ["guaranteed", "share-region", *(["precise", "share-region"] if part.limit is not None else []), "inward"]
     axes = (Said("workspace.column.error", axis=axis, point=outcome.point) for axis in "xy")
@@ -137,7 +137,7 @@ def _ends(one: dict[str, Any]) -> Numbers:
 
 def _between(*ends: dict[str, Any] | None) -> Numbers:
     endless = Said("workspace.endless")
-    return Numbers([Number(None) if end is None else Number(end["value"], 5, unknown=endless) for end in ends])
+    return Numbers([NumberCell(None) if end is None else NumberCell(end["value"], 5, unknown=endless) for end in ends])
 
 
 def quality_charts(outcome: WorkspaceOutcome) -> Sequence[Chart]:
@@ -166,9 +166,9 @@ class _Pictured:
     """The pictures of one mode's regions: the same axes, and by map the same levels, for all values."""
 
     def __init__(self, part: Part, regions: Sequence[RegionMaps]) -> None:
-        self.part, self.steps = part, Steps(part.outcome)
+        self.part, self.steps = part, SliderSteps(part.outcome)
         self.unit, self.size = part.outcome.compiled.quantities.unit_of(u.LENGTH)
-        self.plane = Plane.of(framed_box(one.reached.shape.bounds for one in regions), self.unit, self.size)
+        self.plane = PicturePlane.of(framed_box(one.reached.shape.bounds for one in regions), self.unit, self.size)
         self.found = {id(one): raster(one.reached.region, one.maps, CELLS) for one in regions}
         self.levels = {name: self._levels(name, regions) for name in part.shown}
 
@@ -203,7 +203,7 @@ def _score(part: Part, name: str) -> Callable[[Array], Array]:
     return np.abs if isinstance(part, ErrorsPart) else lambda values: better(name, values)
 
 
-def _over(part: Part, one: RegionMaps, plane: Plane, size: float) -> tuple[list[str], list[tuple[str, Text]]]:
+def _over(part: Part, one: RegionMaps, plane: PicturePlane, size: float) -> tuple[list[str], list[tuple[str, Text]]]:
     """What lies over a map, and the legend of it: singular positions by kind, or what is sure."""
     outcome, region = part.outcome, one.reached.region
     shapes: list[str] = []

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.sheet import ModeSheet
 
 Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
@@ -32,7 +32,7 @@ NARROW = 2e-7
 
 
 @dataclass(frozen=True)
-class Box:
+class DriveBox:
     """The ranges of both drives, SI; ``turns`` says of which the range is a whole turn, so that its ends are one."""
 
     low: tuple[float, float]
@@ -50,11 +50,11 @@ class Box:
         low, turns = np.reshape(self.low, shape), np.reshape(self.turns, shape)
         return np.where(turns, low + (q - low) % (2 * np.pi), q)
 
-    def askew(self) -> Box:
+    def askew(self) -> DriveBox:
         """The same ranges, whole turns begun elsewhere: a curve along a round angle is on no line of a mesh."""
         start = [low + SKEW[k] * self.turns[k] for k, low in enumerate(self.low)]
         stop = [high + SKEW[k] * self.turns[k] for k, high in enumerate(self.high)]
-        return Box((start[0], start[1]), (stop[0], stop[1]), self.turns)
+        return DriveBox((start[0], start[1]), (stop[0], stop[1]), self.turns)
 
 
 @dataclass(frozen=True)
@@ -70,7 +70,7 @@ class Mesh:
     pits: Rows
 
 
-def mesh(sheet: Sheet, box: Box, steps: int, pits: Array | None = None) -> Mesh:
+def mesh(sheet: ModeSheet, box: DriveBox, steps: int, pits: Array | None = None) -> Mesh:
     """The mesh on ``steps`` equal steps of each drive, cut at the rim; ``pits`` (2, n) are places where two pins meet
     (see :func:`found_pits`), around which it becomes finer and finer."""
     step = box.size[:, None] / steps
@@ -134,7 +134,7 @@ def _pitted(q: Array, ring: Rows, centres: Array, step: Array) -> tuple[Array, R
     return np.concatenate(corners, axis=1), np.concatenate(made), rows[edges]
 
 
-def found_pits(sheet: Sheet, box: Box, steps: int = 48) -> Array:
+def found_pits(sheet: ModeSheet, box: DriveBox, steps: int = 48) -> Array:
     """The places in the drives' plane where the two outer pins of a group meet, so that its links may point anywhere:
     (2, n). The closure's determinant is zero there, though the group could reach farther."""
     axes = [np.linspace(a, b, steps + 1) for a, b in zip(box.low, box.high, strict=True)]
@@ -214,7 +214,7 @@ def cut(within: Callable[[Array], NDArray[np.bool_]], q: Array, triangles: Rows)
     return corners, np.concatenate(made), np.concatenate(rim)
 
 
-def _limits(q: Array, triangles: Rows, box: Box) -> Rows:
+def _limits(q: Array, triangles: Rows, box: DriveBox) -> Rows:
     """The sides of triangles that lie on the end of a drive's range."""
     found = [np.empty((0, 2), dtype=np.intp)]
     if all(box.turns):

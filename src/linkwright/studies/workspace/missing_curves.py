@@ -13,8 +13,8 @@ from linkwright.notation.angles import wrapped
 from linkwright.studies.workspace.border import border
 from linkwright.studies.workspace.cells import decided
 from linkwright.studies.workspace.curves import Segments
-from linkwright.studies.workspace.places import Places
-from linkwright.studies.workspace.pose_counts import Paths
+from linkwright.studies.workspace.places import ModePlaces
+from linkwright.studies.workspace.pose_counts import DrivePaths
 
 Array = NDArray[np.float64]
 Square = tuple[Array, float, float]
@@ -36,7 +36,7 @@ MIDDLE, INWARD = 2.0, (0.1, 1.0, 10.0)
 far as need be: nearer the round-off of the values may let the mechanism come apart."""
 
 
-def missed_anywhere(places: Places, square: Square, segments: list[Segments], chord: float) -> list[Segments]:
+def missed_anywhere(places: ModePlaces, square: Square, segments: list[Segments], chord: float) -> list[Segments]:
     """Pieces of all of a mode's curves that are missing; each pose's region lies in a square (corner, side, extent)."""
     found: list[Segments] = []
     for branch in range(len(places.branches)):
@@ -47,7 +47,7 @@ def missed_anywhere(places: Places, square: Square, segments: list[Segments], ch
 
 
 def missed(
-    places: Places, edge: Edge, extent: float, segments: list[Segments], chord: float, branch: int | None = None
+    places: ModePlaces, edge: Edge, extent: float, segments: list[Segments], chord: float, branch: int | None = None
 ) -> list[Segments]:
     """Pieces of the edge of what all poses reach or one ``branch``, by their ends (2, n) both and by how much (m) each
     may be off, (n,), that lie on no curve of their kind: as curves."""
@@ -55,7 +55,7 @@ def missed(
     near, found = max(BESIDE * extent, CHORDS * chord), []
     values, kinds = _drives(places, branch, (a + b) / 2, b - a, MIDDLE * chord)
     for kind in sorted(set(places.kinds)):
-        drawn = Paths.of(places.sheet, [one for one in segments if one.kind == kind])
+        drawn = DrivePaths.of(places.sheet, [one for one in segments if one.kind == kind])
         own = np.flatnonzero(kinds == kind)
         asked = None if branch is None else values[:, own]
         on = [_on(places, drawn, (a + share * (b - a))[:, own], asked, near) for share in SHARES]
@@ -69,7 +69,7 @@ def missed(
     return found
 
 
-def _on(places: Places, drawn: Paths, at: Array, values: Array | None, distance: float) -> NDArray[np.bool_]:
+def _on(places: ModePlaces, drawn: DrivePaths, at: Array, values: Array | None, distance: float) -> NDArray[np.bool_]:
     """Which places, (2, n), are on a curve; with the drives' values, (2, n): on that one, of those with one path."""
     import shapely
 
@@ -85,7 +85,7 @@ def _on(places: Places, drawn: Paths, at: Array, values: Array | None, distance:
     return found
 
 
-def _ends(places: Places, branch: int | None, at: Array, along: Array, chord: float) -> Array:
+def _ends(places: ModePlaces, branch: int | None, at: Array, along: Array, chord: float) -> Array:
     """The drives' values (2, n) at ends of pieces, NaN where there are none."""
     found = np.full_like(at, np.nan)
     for share in INWARD:
@@ -95,7 +95,7 @@ def _ends(places: Places, branch: int | None, at: Array, along: Array, chord: fl
 
 
 def _drives(
-    places: Places, branch: int | None, at: Array, along: Array, within: float
+    places: ModePlaces, branch: int | None, at: Array, along: Array, within: float
 ) -> tuple[Array, NDArray[np.str_]]:
     """The drives' values (2, n) so far (m) within places of an edge, NaN where they lead elsewhere, and the kinds of
     curve there. What is reached lies to the left or right of the way ``along`` the edge."""
@@ -116,6 +116,6 @@ def _drives(
     return chosen, np.array(places.kinds)[ended]
 
 
-def _nearest(places: Places, apart: Array) -> Array:
+def _nearest(places: ModePlaces, apart: Array) -> Array:
     """Differences (2, n) of drives' values, of those that turn fully less whole turns."""
     return np.where(np.array(places.box.turns)[:, None], wrapped(apart), apart)

@@ -26,7 +26,7 @@ from linkwright.studies.sampling_options import one_of
 from linkwright.studies.workspace.assembly_signs import combinations
 from linkwright.studies.workspace.errors_options import ErrorsOptions
 from linkwright.studies.workspace.fit_options import RequiredFits
-from linkwright.studies.workspace.mesh import Box
+from linkwright.studies.workspace.mesh import DriveBox
 from linkwright.studies.workspace.path_options import WantedPaths
 from linkwright.studies.workspace.quality_options import QualityOptions
 from linkwright.studies.workspace.trajectories_options import TrajectoriesAsked
@@ -78,13 +78,13 @@ class WorkspaceOptions(Frozen):
         ]
         return [dict(zip(self.for_, some, strict=True)) for some in itertools.product(*lists)]
 
-    def box(self, compiled: Compiled) -> Box:
+    def box(self, compiled: Compiled) -> DriveBox:
         """The ranges of the two drives."""
         ranges = [self.range(compiled, drive) for drive in compiled.graph.drives]
         assert len(ranges) == 2 and None not in ranges
         low, high = ([r[end] for r in ranges if r is not None] for end in (0, 1))
         turns = self.turns(compiled)
-        return Box((low[0], low[1]), (high[0], high[1]), (turns[0], turns[1]))
+        return DriveBox((low[0], low[1]), (high[0], high[1]), (turns[0], turns[1]))
 
     def range(self, compiled: Compiled, drive: str) -> tuple[float, float] | None:
         """The range of a drive's value, SI; ``None`` for a slide of which none is stated."""
@@ -130,10 +130,10 @@ def check(compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
         return
     if not 1 <= len(drives) <= 2:
         yield Finding("workspace.drives", ("drives",), {"count": len(drives), "names": ", ".join(drives) or "-"})
-    if compiled.structure.clusters:
-        clusters = compiled.structure.clusters
-        data = {"groups": "; ".join(c.label for c in clusters)}
-        yield Finding("workspace.cluster", ("links", clusters[0].links[0]), data)
+    if compiled.structure.higher_groups:
+        higher_groups = compiled.structure.higher_groups
+        data = {"groups": "; ".join(c.label for c in higher_groups)}
+        yield Finding("workspace.cluster", ("links", higher_groups[0].links[0]), data)
     unnamed = option_faults(compiled.mechanism, options, PATH)
     yield from unnamed
     yield from _point(compiled, options.point)

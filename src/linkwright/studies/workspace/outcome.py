@@ -14,10 +14,10 @@ from numpy.typing import NDArray
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.results import Result, Run
-from linkwright.studies.workspace.mesh import RIM, Box
+from linkwright.studies.workspace.mesh import RIM, DriveBox
 from linkwright.studies.workspace.regions import Region
-from linkwright.studies.workspace.shapes import Figures, figures, without_slivers
-from linkwright.studies.workspace.turning import Turning
+from linkwright.studies.workspace.shapes import ShapeFigures, figures, without_slivers
+from linkwright.studies.workspace.turning import TurningValues
 
 if TYPE_CHECKING:
     from linkwright.studies.workspace.options import WorkspaceOptions
@@ -53,7 +53,7 @@ class Reached:
         return self.region.shape
 
     @cached_property
-    def figures(self) -> Figures:
+    def figures(self) -> ShapeFigures:
         """Its area and the like."""
         return figures(self.shape)
 
@@ -78,7 +78,7 @@ class Workspace:
     regions: tuple[Reached, ...]
     curves: tuple[Any, ...] = ()
     chord: float = 0.0
-    turning: tuple[Turning, ...] = ()
+    turning: tuple[TurningValues, ...] = ()
 
     @cached_property
     def union(self) -> Any:
@@ -113,7 +113,7 @@ class WorkspaceOutcome:
     compiled: Compiled
     options: WorkspaceOptions
     chord: float
-    box: Box | None = None
+    box: DriveBox | None = None
     workspaces: list[Workspace] = field(default_factory=list)
     parts: dict[str, Any] = field(default_factory=dict)
     failures: list[Finding] = field(default_factory=list)

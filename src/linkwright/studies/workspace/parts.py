@@ -18,14 +18,14 @@ from linkwright.studies.workspace.quality_outcome import quality_part
 from linkwright.studies.workspace.trajectories_outcome import trajectories_part
 
 
-class Part(Protocol):
+class SectionOutcome(Protocol):
     """What comes of a section."""
 
     def as_dict(self) -> Any:
         """Its entry in the summary."""
 
 
-PERFORMERS: Mapping[str, Callable[[Any, WorkspaceOutcome], Part]] = {
+PERFORMERS: Mapping[str, Callable[[Any, WorkspaceOutcome], SectionOutcome]] = {
     "trajectories": trajectories_part,
     "quality": quality_part,
     "errors": errors_part,

@@ -24,7 +24,7 @@ from linkwright.studies.workspace.trajectories_report import (
 
 
 @dataclass(frozen=True)
-class Written:
+class SectionDocument:
     """A part's sentences, charts and tables, from the outcome; shapes (Shapely, m) with what is said of them; the
     content of its files by name (or None); what it draws over the picture of the workspace of some index."""
 
@@ -36,34 +36,34 @@ class Written:
     overlays: Callable[[WorkspaceOutcome, int], Sequence[Overlay]] = lambda outcome, index: ()
 
 
-WRITTEN: dict[str, Written] = {
-    "trajectories": Written(
+WRITTEN: dict[str, SectionDocument] = {
+    "trajectories": SectionDocument(
         sentences=trajectories_sentences,
         charts=trajectories_charts,
         tables=trajectories_tables,
         files={"workspace_trajectories.csv": trajectories_csv, "workspace_trajectories.svg": trajectories_svg},
     ),
-    "quality": Written(
+    "quality": SectionDocument(
         sentences=maps.quality_sentences,
         charts=maps.quality_charts,
         tables=maps.quality_tables,
         files={"workspace_maps.csv": maps.quality_csv, "workspace_maps.svg": maps.quality_svg},
     ),
-    "errors": Written(
+    "errors": SectionDocument(
         sentences=maps.errors_sentences,
         charts=maps.errors_charts,
         tables=maps.errors_tables,
         shapes=maps.errors_shapes,
         files={"workspace_errors.csv": maps.errors_csv, "workspace_errors.svg": maps.errors_svg},
     ),
-    "paths": Written(
+    "paths": SectionDocument(
         sentences=path_sentences,
         charts=path_charts,
         tables=path_tables,
         files={"workspace_laws.csv": laws_csv, "workspace_drives.yaml": drives_yaml},
         overlays=path_overlays,
     ),
-    "fits": Written(tables=fit_tables, overlays=fit_overlays),
+    "fits": SectionDocument(tables=fit_tables, overlays=fit_overlays),
 }
 """By the key of its section in the study's options."""
 
@@ -76,6 +76,6 @@ def _where(key: str, content: Callable[[WorkspaceOutcome], Any]) -> Callable[[Wo
 FILES = {name: _where(key, content) for key, part in WRITTEN.items() for name, content in part.files.items()}
 
 
-def written(outcome: WorkspaceOutcome) -> list[Written]:
+def written(outcome: WorkspaceOutcome) -> list[SectionDocument]:
     """How the parts that an outcome has are written."""
     return [part for name, part in WRITTEN.items() if name in outcome.parts]

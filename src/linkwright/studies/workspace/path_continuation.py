@@ -19,11 +19,11 @@ from linkwright.graph.rows import Determinant
 from linkwright.kernels import KERNELS
 from linkwright.results.stationary import bracketed
 from linkwright.studies.workspace.dead_point_crossing import box_left, bridge, curve
-from linkwright.studies.workspace.mesh import Box
+from linkwright.studies.workspace.mesh import DriveBox
 from linkwright.studies.workspace.regions import Region
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.sheet import ModeSheet
 from linkwright.studies.workspace.solving import solved
-from linkwright.studies.workspace.target_path import Wanted
+from linkwright.studies.workspace.target_path import TargetPath
 
 Array = NDArray[np.float64]
 
@@ -58,10 +58,10 @@ class Rates:
         return determinant(self.jacobian)
 
 
-class Mover:
+class SheetWithRates:
     """A sheet looked at with rates."""
 
-    def __init__(self, sheet: Sheet) -> None:
+    def __init__(self, sheet: ModeSheet) -> None:
         self.sheet = sheet
         graph = sheet.compiled.graph
         closures = [Determinant(group.label) for group in graph.branched]
@@ -117,13 +117,13 @@ def divided(matrix: Array, right: Array) -> Array:
 
 
 @dataclass(frozen=True, eq=False)
-class Track:
+class SolutionTrack:
     """One solution along a path from u = 0 to ``u[-1]``: ``nodes`` (3, 2, n) are the drives with two derivatives by u.
     ``end`` says why it is no longer: "" (it is whole), "singular", "modes", or "limit" with the ``drive``. ``bridges``
     are the stretches of u on which it passes a dead position, near to the path only."""
 
-    mover: Mover
-    wanted: Wanted
+    mover: SheetWithRates
+    wanted: TargetPath
     u: Array
     nodes: Array
     end: str
@@ -175,10 +175,10 @@ class Track:
         return bracketed(sign, np.arange(len(self.bridges)), *ends) if self.bridges else np.empty(0)
 
 
-def tracks(region: Region, wanted: Wanted, off: float | None = None) -> list[Track]:
+def tracks(region: Region, wanted: TargetPath, off: float | None = None) -> list[SolutionTrack]:
     """Every solution of a sheet at the path's start, followed as far as it goes; the longest first. Where a dead
     position is passed, the point may be ``off`` the path (m), :data:`OFF` of the largest link if not said."""
-    mover = Mover(region.sheet)
+    mover = SheetWithRates(region.sheet)
     off = OFF * region.sheet.compiled.graph.size if off is None else off
     found = [_followed(mover, region.box, wanted, start, off) for start in starts(region, wanted.of(np.zeros(1))[0]).T]
     return sorted(found, key=lambda track: -float(track.u[-1]))
@@ -208,7 +208,7 @@ def starts(region: Region, place: Array) -> Array:
     return np.array(found).reshape(-1, 2).T
 
 
-def _followed(mover: Mover, box: Box, wanted: Wanted, start: Array, off: float) -> Track:
+def _followed(mover: SheetWithRates, box: DriveBox, wanted: TargetPath, start: Array, off: float) -> SolutionTrack:
     scale = box.size[:, None] / (2 * np.pi)
     q, _ = mover.closed(start[:, None], wanted.of(np.zeros(1))[0])
     turns = np.floor((q[:, 0] - np.array(box.low)) / (2 * np.pi) + SAME)
@@ -250,4 +250,4 @@ def _followed(mover: Mover, box: Box, wanted: Wanted, start: Array, off: float) 
             end = "limit" if beyond else "modes" if (closure < UNCERTAIN).any() else "singular"
             drive = mover.sheet.drives[int(np.argmax(outside))] if beyond else ""
             break
-    return Track(mover, wanted, np.array(us), np.concatenate(nodes, axis=2), end, drive, tuple(bridges))
+    return SolutionTrack(mover, wanted, np.array(us), np.concatenate(nodes, axis=2), end, drive, tuple(bridges))

@@ -15,7 +15,7 @@ from linkwright.model.csv_text import cell, head, written
 from linkwright.model.yaml_write import write_text
 from linkwright.studies.workspace.inverse_kinematics import ServoLaw
 from linkwright.studies.workspace.outcome import WorkspaceOutcome, shown, values_text
-from linkwright.studies.workspace.path_outcome import Attempt, Followed
+from linkwright.studies.workspace.path_outcome import Attempt, PathsOutcome
 from linkwright.studies.workspace.yaml_snippet import pasted
 
 CLOSE = 1e-8
@@ -27,7 +27,7 @@ TURNING, SLIDING = ("angle", "omega", "alpha", "torque", "power"), ("s", "v", "a
 
 def laws_csv(outcome: WorkspaceOutcome) -> str | None:
     """Both drives over the time for each path in each region that lets it be followed."""
-    part: Followed = outcome.parts["paths"]
+    part: PathsOutcome = outcome.parts["paths"]
     found = [(one, one.law) for one in part.attempts if one.law is not None]
     if not found:
         return None
@@ -43,7 +43,7 @@ def laws_csv(outcome: WorkspaceOutcome) -> str | None:
     return written(heads, _rows(part, found, names))
 
 
-def _rows(part: Followed, found: list[tuple[Attempt, ServoLaw]], names: list[str]) -> Iterator[list[str]]:
+def _rows(part: PathsOutcome, found: list[tuple[Attempt, ServoLaw]], names: list[str]) -> Iterator[list[str]]:
     quantities = part.compiled.quantities
     size, second = quantities.unit_of(u.LENGTH)[1], quantities.unit_of(u.TIME)[1]
     for one, law in found:
@@ -64,12 +64,12 @@ def _rows(part: Followed, found: list[tuple[Attempt, ServoLaw]], names: list[str
 def drives_yaml(outcome: WorkspaceOutcome) -> str | None:
     """For the best way of each path that can be followed, a document with the entries of a model file by which its
     point moves along the path."""
-    part: Followed = outcome.parts["paths"]
+    part: PathsOutcome = outcome.parts["paths"]
     texts = [_entries(part, one, one.law) for one in part.best.values() if one.law is not None]
     return "---\n".join(texts) or None
 
 
-def _entries(part: Followed, one: Attempt, law: ServoLaw) -> str:
+def _entries(part: PathsOutcome, one: Attempt, law: ServoLaw) -> str:
     compiled = part.compiled
     mechanism = compiled.mechanism
     units = tuple("rad" if mechanism.prescribed(name).turns else "m" for name in law.names)

@@ -24,7 +24,7 @@ from linkwright.model.actions import FileBeside
 from linkwright.studies import numbers
 from linkwright.studies.numbers import constant
 from linkwright.studies.sampling_options import one_of
-from linkwright.studies.workspace.target_path import PATH, Path_, Wanted, from_csv, from_dxf, from_formula, through
+from linkwright.studies.workspace.target_path import PATH, Path_, TargetPath, from_csv, from_dxf, from_formula, through
 
 if TYPE_CHECKING:
     from linkwright.studies.workspace.options import WorkspaceOptions
@@ -128,7 +128,7 @@ def positive(compiled: Compiled, expression: Expression, dimension: u.Dimension,
     return numbers.positive(compiled.quantities, expression, dimension, at, "workspace.not-positive", **data)[1]
 
 
-def wanted(compiled: Compiled, path: WantedPath, at: Path_, parameters: Mapping[str, float]) -> Wanted:
+def wanted(compiled: Compiled, path: WantedPath, at: Path_, parameters: Mapping[str, float]) -> TargetPath:
     """The path itself, for values of the parameters (SI). Raises ModelError."""
     quantities, source = compiled.quantities, (*at, next(key for key in SOURCES if getattr(path, key) is not None))
     if path.file is not None:

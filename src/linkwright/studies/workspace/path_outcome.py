@@ -18,7 +18,7 @@ from linkwright.presentation.json_numbers import known
 from linkwright.studies.workspace.inverse_kinematics import ServoLaw, Way, free, timed
 from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, shown
 from linkwright.studies.workspace.path_options import WantedPath, WantedPaths, rate_of, wanted
-from linkwright.studies.workspace.target_path import PATH, Wanted
+from linkwright.studies.workspace.target_path import PATH, TargetPath
 
 Array = NDArray[np.float64]
 
@@ -32,7 +32,7 @@ class Attempt:
     index: int
     workspace: Workspace
     reached: Reached
-    wanted: Wanted
+    wanted: TargetPath
     constant: bool
     way: Way
 
@@ -59,7 +59,7 @@ class Attempt:
 
 
 @dataclass(frozen=True, eq=False)
-class Followed:
+class PathsOutcome:
     """The part of the outcome: each path in each region."""
 
     compiled: Compiled
@@ -77,7 +77,7 @@ class Followed:
 
     def within(self, index: int) -> dict[str, Attempt]:
         """The best attempt at each path in one workspace."""
-        return Followed(self.compiled, self.point, tuple(one for one in self.attempts if one.index == index)).best
+        return PathsOutcome(self.compiled, self.point, tuple(one for one in self.attempts if one.index == index)).best
 
     def as_dict(self) -> list[dict[str, Any]]:
         """Entries of the summary, in the file's units."""
@@ -158,7 +158,7 @@ class Followed:
         return {key: self.compiled.quantities.unit_of(one) for key, one in zip(keys, every, strict=True)}
 
 
-def follow(paths: WantedPaths, outcome: WorkspaceOutcome) -> Followed:
+def follow(paths: WantedPaths, outcome: WorkspaceOutcome) -> PathsOutcome:
     """Try each path in each region. A path that none of them lets follow as it is asked is a failure."""
     compiled = outcome.compiled
     attempts, wrong = [], []
@@ -173,7 +173,7 @@ def follow(paths: WantedPaths, outcome: WorkspaceOutcome) -> Followed:
             if not wrong:
                 attempts += [_attempt(outcome, name, path, index, reached, way) for reached in one.regions]
     raise_errors(wrong)
-    found = Followed(compiled, outcome.point, tuple(attempts))
+    found = PathsOutcome(compiled, outcome.point, tuple(attempts))
     for name, best in found.best.items():
         if best.kept:
             outcome.warnings += best.way.findings
@@ -194,7 +194,7 @@ def parameters_of(one: Workspace, compiled: Compiled) -> dict[str, float]:
 
 
 def _attempt(
-    outcome: WorkspaceOutcome, name: str, path: WantedPath, index: int, reached: Reached, way: Wanted
+    outcome: WorkspaceOutcome, name: str, path: WantedPath, index: int, reached: Reached, way: TargetPath
 ) -> Attempt:
     compiled, quantities = outcome.compiled, outcome.compiled.quantities
     assert outcome.box is not None

@@ -14,11 +14,11 @@ from linkwright.escape import markup
 from linkwright.expressions import units as u
 from linkwright.findings import Joined, Said, Text
 from linkwright.presentation.blocks import Chart, Table, table
-from linkwright.presentation.cells import UNKNOWN, Cell, Number, numbers, percent
+from linkwright.presentation.cells import UNKNOWN, Cell, NumberCell, numbers, percent
 from linkwright.studies.workspace.inverse_kinematics import ServoLaw
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 from linkwright.studies.workspace.overlay import Overlay
-from linkwright.studies.workspace.path_outcome import Attempt, Followed
+from linkwright.studies.workspace.path_outcome import Attempt, PathsOutcome
 from linkwright.studies.workspace.region_columns import region_cells, region_heads
 
 Array = NDArray[np.float64]
@@ -36,7 +36,7 @@ def path_sentences(outcome: WorkspaceOutcome) -> list[Text]:
 
 def path_tables(outcome: WorkspaceOutcome) -> list[Table]:
     """Each path in each region; the drives along the best way of each."""
-    part: Followed = outcome.parts["paths"]
+    part: PathsOutcome = outcome.parts["paths"]
     own = ("followed", "duration", "reversals", "dead", "residual", "determinant", "share")
     rows, drives = list[list[Cell]](), list[list[Cell]]()
     for entry in part.as_dict():
@@ -58,11 +58,11 @@ def _told(entry: dict[str, Any]) -> list[Cell]:
     how = "best" if entry["best"] and entry["kept"] else "yes" if entry["kept"] else "reverses"
     return [
         Said(f"paths.{how}"),
-        Number(entry["duration"], 6, entry["time_unit"]),
-        Number(len(entry["reversals"])),
-        Number(len(entry["dead_positions"])),
-        Number(entry["residual"], 2, entry["unit"]),
-        Number(entry["determinant"], 4),
+        NumberCell(entry["duration"], 6, entry["time_unit"]),
+        NumberCell(len(entry["reversals"])),
+        NumberCell(len(entry["dead_positions"])),
+        NumberCell(entry["residual"], 2, entry["unit"]),
+        NumberCell(entry["determinant"], 4),
         percent(entry["servo_share"]),
     ]
 
@@ -77,14 +77,14 @@ def _drive(told: dict[str, Any]) -> list[Cell]:
     largest = (told.get(key, {}) for key in ("speed", "acceleration", "effort", "power"))
     return [
         numbers((value["from"], value["to"]), 6, value["unit"]),
-        *(Number(one.get("largest"), 6, one.get("unit", "")) for one in largest),
+        *(NumberCell(one.get("largest"), 6, one.get("unit", "")) for one in largest),
         numbers((work["given"], work["taken"]), 6, work["unit"], ", ") if work else UNKNOWN,
     ]
 
 
 def path_overlays(outcome: WorkspaceOutcome, index: int) -> list[Overlay]:
     """The paths over one workspace, and what of them none of its modes can follow."""
-    part: Followed = outcome.parts["paths"]
+    part: PathsOutcome = outcome.parts["paths"]
     found = part.within(index).values()
     blocked = [one.wanted.of(np.linspace(s.start, s.stop, PLACES))[0] for one in found for s in one.way.stretches]
     whole = [one.wanted.of(np.linspace(0.0, 1.0, PLACES))[0] for one in found]
@@ -95,12 +95,12 @@ def path_overlays(outcome: WorkspaceOutcome, index: int) -> list[Overlay]:
 
 def path_charts(outcome: WorkspaceOutcome) -> list[Chart]:
     """The laws of both drives along the best way of each path, over the time."""
-    part: Followed = outcome.parts["paths"]
+    part: PathsOutcome = outcome.parts["paths"]
     charts = [chart for one in part.best.values() if one.law is not None for chart in _charts(part, one, one.law)]
     return charts[:MOST_CHARTS]
 
 
-def _charts(part: Followed, one: Attempt, law: ServoLaw) -> list[Chart]:
+def _charts(part: PathsOutcome, one: Attempt, law: ServoLaw) -> list[Chart]:
     units = [part.units(name) for name in law.names]
     rows = {key: (law.motor[i], law.servo[i]) for i, key in enumerate(("value", "speed", "acceleration"))}
     if law.efforts is not None and np.abs(law.efforts.effort).max() > 0:
@@ -117,7 +117,7 @@ def _charts(part: Followed, one: Attempt, law: ServoLaw) -> list[Chart]:
     return charts
 
 
-def _chart(part: Followed, t: Array, title: Text, lines: Sequence[tuple[str, Array]]) -> Chart:
+def _chart(part: PathsOutcome, t: Array, title: Text, lines: Sequence[tuple[str, Array]]) -> Chart:
     time_unit, second = part.compiled.quantities.unit_of(u.TIME)
     every = np.concatenate([row[np.isfinite(row)] for _, row in lines])
     low, high = (float(every.min()), float(every.max())) if every.size else (0.0, 1.0)

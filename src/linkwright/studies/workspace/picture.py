@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.drawing.charts import points
-from linkwright.drawing.plane import Bounds, Plane, framed, framed_box, outline
+from linkwright.drawing.plane import Bounds, PicturePlane, framed, framed_box, outline
 from linkwright.expressions import units as u
 from linkwright.findings import Said, Text
 from linkwright.presentation.blocks import Area, Chart
@@ -18,7 +18,7 @@ from linkwright.studies.workspace.outcome import Workspace, WorkspaceOutcome
 from linkwright.studies.workspace.overlay import Overlay
 from linkwright.studies.workspace.parts_report import written
 from linkwright.studies.workspace.shapes import pieces
-from linkwright.studies.workspace.steps import Steps
+from linkwright.studies.workspace.steps import SliderSteps
 
 Array = NDArray[np.float64]
 
@@ -30,7 +30,7 @@ def pictures(outcome: WorkspaceOutcome) -> Sequence[Chart]:
     """A picture of each workspace, all on the same axes; they are wanted for the report and as files."""
     if not outcome.workspaces:
         return ()
-    steps, overlays = Steps(outcome), [_over(outcome, index) for index in range(len(outcome.workspaces))]
+    steps, overlays = SliderSteps(outcome), [_over(outcome, index) for index in range(len(outcome.workspaces))]
     drawn = [shape for one in outcome.workspaces for shape in (*(r.shape for r in one.regions), *one.curves)]
     bounds = framed_box(shape.bounds for shape in (*drawn, *(overlay for some in overlays for overlay in some)))
     charts: list[Chart] = []
@@ -49,7 +49,7 @@ def _over(outcome: WorkspaceOutcome, index: int) -> list[Overlay]:
 def picture(outcome: WorkspaceOutcome, one: Workspace, title: Text, box: Bounds, over: Sequence[Overlay] = ()) -> str:
     """One workspace as SVG, with what is drawn over it, in a ``box`` (m) of the plane."""
     unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
-    plane = Plane.of(box, unit, size)
+    plane = PicturePlane.of(box, unit, size)
     shapes: list[str] = []
     legend: list[tuple[str, Text]] = []
     for i, reached in enumerate(one.regions):

@@ -18,15 +18,15 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.enclosures.forms import FEW, Form
+from linkwright.enclosures.forms import FEW, AffineForm
 from linkwright.enclosures.program import BOXES, Stage
-from linkwright.graph.inverse import Closure, DriveValue, Inverse, inverse
+from linkwright.graph.inverse import DeterminantRow, DriveValue, Inverse, inverse
 from linkwright.graph.rows import Determinant, Radicand
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.registry import Kernel
-from linkwright.studies.workspace.mesh import Box
+from linkwright.studies.workspace.mesh import DriveBox
 from linkwright.studies.workspace.platforms import Platforms, Sets
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.sheet import ModeSheet
 
 Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
@@ -41,7 +41,7 @@ FOLD, MODES, LIMIT = "singular", "modes", "limit"
 
 
 @dataclass(frozen=True)
-class Poses:
+class KnownPoses:
     """The poses of a mechanism turned round, with which sign of a closure's determinant belongs to branch +1."""
 
     inverse: Inverse
@@ -49,17 +49,17 @@ class Poses:
     kernel: Kernel
 
     @classmethod
-    def of(cls, compiled: Compiled, point: str) -> Poses | None:
+    def of(cls, compiled: Compiled, point: str) -> KnownPoses | None:
         """``None`` where not all poses are known."""
         return compiled.kept(("poses", point), lambda: _poses(compiled, point))
 
 
-def _poses(compiled: Compiled, point: str) -> Poses | None:
+def _poses(compiled: Compiled, point: str) -> KnownPoses | None:
     found = inverse(compiled.graph, point)
     signs = _signs(compiled)
     if found is None or signs is None:
         return None
-    return Poses(found, signs, KERNELS["numpy"](found.program))
+    return KnownPoses(found, signs, KERNELS["numpy"](found.program))
 
 
 def _signs(compiled: Compiled) -> tuple[float, ...] | None:
@@ -79,13 +79,13 @@ def _signs(compiled: Compiled) -> tuple[float, ...] | None:
     return tuple(one.pop() for one in kept) if all(len(one) == 1 for one in kept) else None
 
 
-class Places:
+class ModePlaces:
     """The places that a mode reaches with its drives in their ranges.
 
     ``branches`` (branches, dyads) are the choices of branches; each has so many ``poses`` next to each other.
     """
 
-    def __init__(self, poses: Poses, sheet: Sheet, box: Box) -> None:
+    def __init__(self, poses: KnownPoses, sheet: ModeSheet, box: DriveBox) -> None:
         self.poses, self.sheet, self.box = poses, sheet, box
         self.inverse = poses.inverse
         self.branches = np.array(self.inverse.branches())
@@ -94,7 +94,7 @@ class Places:
         rows, self.kinds = self._combined()
         self.rows = np.array(rows)
 
-    def only(self, branch: int) -> Places:
+    def only(self, branch: int) -> ModePlaces:
         """The places that the poses of one branch reach by themselves."""
         one = copy(self)
         one.branches = self.branches[branch : branch + 1]
@@ -124,7 +124,7 @@ class Places:
         rows = [unit[room] for room in (*(Radicand(group.label) for group in self.inverse.groups), *platforms)]
         kinds = [FOLD] * len(rows)
         for group, own, sign in zip(self.inverse.modes, self.poses.signs, self.sheet.branches, strict=True):
-            rows.append(own * sign * unit[Closure(group.label)])
+            rows.append(own * sign * unit[DeterminantRow(group.label)])
             kinds.append(MODES)
         for k, drive in enumerate(self.inverse.drives):
             low, high = self.box.low[k], self.box.high[k]
@@ -200,7 +200,7 @@ class Places:
         program = self.inverse.program
         return Stage(program.block, self.sheet.parameters, range(len(program.outputs)), BOXES)
 
-    def forms(self, middle: Array, half: Array, branch: Rows) -> tuple[Form, Rows]:
+    def forms(self, middle: Array, half: Array, branch: Rows) -> tuple[AffineForm, Rows]:
         """The functions over squares about ``middle`` (2, n) of ``half`` their sides (n,), each in one branch (n,) by
         its number, as linear forms of coordinates from -1 to 1: arrays (functions, sets), of sets of poses that hold
         all of the branch; and of which square each set is. They hold for the places of a square at which a pose
@@ -211,19 +211,19 @@ class Places:
             rows, square = self._block(middle[:, some], half[some], branch[some])
             parts.append(rows)
             of.append(start + square)
-        return Form(*np.concatenate(parts, axis=2)), np.concatenate(of)
+        return AffineForm(*np.concatenate(parts, axis=2)), np.concatenate(of)
 
-    def rooms(self, middle: Array, half: Array, branch: Rows) -> tuple[Form, Rows]:
+    def rooms(self, middle: Array, half: Array, branch: Rows) -> tuple[AffineForm, Rows]:
         """The rooms of platforms alone, over squares: (triads, sets), and of which square each set is."""
         sets = self._sets(middle, half, branch)
         parts = [np.empty((4, 0, sets.of.size)), *(one.parts(sets.of.size)[:, None] for one in sets.rooms)]
-        return Form(*np.concatenate(parts, axis=1)), sets.of
+        return AffineForm(*np.concatenate(parts, axis=1)), sets.of
 
     def _sets(self, middle: Array, half: Array, branch: Rows) -> Sets:
         zero = np.zeros_like(half)
-        x = [Form(middle[0], half, zero), Form(middle[1], zero, half)]
+        x = [AffineForm(middle[0], half, zero), AffineForm(middle[1], zero, half)]
         with np.errstate(all="ignore"):
-            return self.platforms.over([*x, *(Form(row, zero, zero) for row in self.branches[branch].T)])
+            return self.platforms.over([*x, *(AffineForm(row, zero, zero) for row in self.branches[branch].T)])
 
     def _block(self, middle: Array, half: Array, branch: Rows) -> tuple[Array, Rows]:
         with np.errstate(all="ignore"):
@@ -236,7 +236,7 @@ class Places:
     def _whole(self, parts: Array, sets: Sets) -> tuple[Array, Rows]:
         """Sets of poses from their pieces, (4, functions, pieces): what holds all of these but those with a negative
         function, which the mode doesn't reach; where it has such, no pose of the set is sure."""
-        low, high = Form(*parts).ends
+        low, high = AffineForm(*parts).ends
         dead = (high < 0).any(axis=0)
         alive = np.flatnonzero(~dead)
         alive = alive[np.argsort(sets.number[alive], kind="stable")]
@@ -260,8 +260,8 @@ class Places:
         found[:, rooms, doubtful] = UNKNOWN
         return found, sets.of[alive[first]]
 
-    def _mixed(self, rows: list[Form], coefficients: Array) -> Form:
-        total = Form(float(coefficients[-1]))
+    def _mixed(self, rows: list[AffineForm], coefficients: Array) -> AffineForm:
+        total = AffineForm(float(coefficients[-1]))
         for k in np.flatnonzero(coefficients[:-1]):
-            total = total + rows[k] * Form(float(coefficients[k]))
+            total = total + rows[k] * AffineForm(float(coefficients[k]))
         return total

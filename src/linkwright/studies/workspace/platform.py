@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.enclosures.angles import Polynomials, Stretches, numbered, stretches, turned
-from linkwright.enclosures.forms import TINY, UNIT, Form, joined
+from linkwright.enclosures.forms import TINY, UNIT, AffineForm, joined
 from linkwright.enclosures.newton import inverted, solved
 from linkwright.enclosures.program import BOXES, Stage
 from linkwright.graph.inverse import Platform
@@ -97,12 +97,12 @@ class OnePlatform:
             name: Stage(one.block, self.parameters, range(len(one.outputs)), BOXES) for name, one in programs.items()
         }
 
-    def _over(self, name: str, x: list[Form], which: Rows | None, *pose: Form) -> list[Form]:
+    def _over(self, name: str, x: list[AffineForm], which: Rows | None, *pose: AffineForm) -> list[AffineForm]:
         """A program's rows over some of the cells."""
         some = x if which is None else [one.some(which) for one in x]
         return self._stages[name]([*some, *pose].__getitem__)
 
-    def sets(self, x: list[Form]) -> tuple[Rows, Rows, list[Form], Form]:
+    def sets(self, x: list[AffineForm]) -> tuple[Rows, Rows, list[AffineForm], AffineForm]:
         """Sets of poses over cells, in pieces: of which cell each piece is, of which set; cosine, sine, x and y, which
         hold all of its poses; the set's room.
 
@@ -120,35 +120,38 @@ class OnePlatform:
         piece, others = self._together(x, rest)
         sets = [joined([one.some(own), other]) for one, other in zip(pose, others, strict=True)]
         which, room = np.append(np.arange(own.size), own.size + piece), rest.room.some(piece)
-        return np.append(of[own], rest.of[piece]), which, sets, joined([Form(np.ones(own.size)), room])
+        return np.append(of[own], rest.of[piece]), which, sets, joined([AffineForm(np.ones(own.size)), room])
 
     def _proven(
-        self, x: list[Form], coefficients: Array
-    ) -> tuple[Rows, Array, list[Form], tuple[Array, Array], NDArray[np.bool_]]:
+        self, x: list[AffineForm], coefficients: Array
+    ) -> tuple[Rows, Array, list[AffineForm], tuple[Array, Array], NDArray[np.bool_]]:
         """Poses near those in the middles of cells, where the polynomials have coefficients (7, n): of which cell each
         is, its angle there, its forms, its bounds of angle, x and y, and whether it is the only one within these."""
         phi, _, which = zeros_between(coefficients)
         slot, of = np.nonzero(np.isfinite(phi))
         pose = self.settled(_middles(x)[:, of], phi[slot, of], which[slot, of])
 
-        def posed(off: list[Form]) -> list[Form]:
-            return [*turned(pose[0], off[0]), *(Form(row) + more for row, more in zip(pose[1:], off[1:], strict=True))]
+        def posed(off: list[AffineForm]) -> list[AffineForm]:
+            return [
+                *turned(pose[0], off[0]),
+                *(AffineForm(row) + more for row, more in zip(pose[1:], off[1:], strict=True)),
+            ]
 
         away, proven = solved(lambda off: self._over("misses", x, of, *posed(off)), 3, of.size)
         ends = np.array([one.ends for one in away]) + pose[:, None]
         return of, pose[0], posed(away), (ends[:, 0], ends[:, 1]), proven
 
-    def _together(self, x: list[Form], told: Stretches) -> tuple[Rows, list[Form]]:
+    def _together(self, x: list[AffineForm], told: Stretches) -> tuple[Rows, list[AffineForm]]:
         """Pieces of all poses in stretches of angles: of which stretch each is, and its forms. Two legs meet in two
         places at an angle; the third may leave both."""
         count = np.where(told.half < WIDE, np.clip(np.ceil(told.half / FINE), 1, PIECES), 1).astype(int)
         stretch, part = np.repeat(np.arange(told.of.size), count), numbered(count)
         half = (told.half / count)[stretch]
         phi = told.middle[stretch] + half * (2 * part + 1 - count[stretch])
-        rooms = self._over("rooms", x, told.of[stretch], *turned(phi, Form(np.zeros(phi.size), rest=half)))
+        rooms = self._over("rooms", x, told.of[stretch], *turned(phi, AffineForm(np.zeros(phi.size), rest=half)))
         some = np.all([np.ones(phi.size, dtype=bool), *(one.ends[1] >= 0 for one in rooms)], axis=0)
         stretch, phi, half = stretch[some], phi[some], half[some]
-        of, axis = told.of[stretch], turned(phi, Form(np.zeros(phi.size), rest=half))
+        of, axis = told.of[stretch], turned(phi, AffineForm(np.zeros(phi.size), rest=half))
         # By Cramer's rule: without bound where both places may be poses.
         only = self._over("place", x, of, *axis)
         legs, starts = self._meetings(_middles(x)[:, of], phi)
@@ -163,14 +166,20 @@ class OnePlatform:
         return np.concatenate(which), [joined(list(pair)) for pair in zip(*found, strict=True)]
 
     def _about(
-        self, x: list[Form], of: Rows, axis: tuple[Form, ...], legs: Rows, start: Array, only: list[Form]
-    ) -> list[Form]:
+        self,
+        x: list[AffineForm],
+        of: Rows,
+        axis: tuple[AffineForm, ...],
+        legs: Rows,
+        start: Array,
+        only: list[AffineForm],
+    ) -> list[AffineForm]:
         """The place where two legs meet near a start; where that isn't proven, what is known besides."""
 
-        def posed(off: list[Form]) -> list[Form]:
-            return [Form(row) + more for row, more in zip(start, off, strict=True)]
+        def posed(off: list[AffineForm]) -> list[AffineForm]:
+            return [AffineForm(row) + more for row, more in zip(start, off, strict=True)]
 
-        def equations(off: list[Form]) -> list[Form]:
+        def equations(off: list[AffineForm]) -> list[AffineForm]:
             found = self._over("misses", x, of, *axis, *posed(off))
             rows = [found[:3], found[4::3], found[5::3]]  # what the legs miss, its slopes by x and by y
             miss, *slopes = ([_chosen(row, leg) for leg in legs] for row in rows)
@@ -178,27 +187,27 @@ class OnePlatform:
 
         away, proven = solved(equations, 2, of.size)
         return [
-            Form(*np.where(proven, one.parts(of.size), other.parts(of.size)))
+            AffineForm(*np.where(proven, one.parts(of.size), other.parts(of.size)))
             for one, other in zip(posed(away), only, strict=True)
         ]
 
 
-def _axis(phi: Array | float) -> list[Form]:
+def _axis(phi: Array | float) -> list[AffineForm]:
     """Cosine and sine."""
-    return [Form(part, rest=UNIT) for part in (np.cos(phi), np.sin(phi))]
+    return [AffineForm(part, rest=UNIT) for part in (np.cos(phi), np.sin(phi))]
 
 
-def _chosen(forms: list[Form], which: Rows) -> Form:
+def _chosen(forms: list[AffineForm], which: Rows) -> AffineForm:
     """Of forms (n,) one each."""
     parts = np.stack([one.parts(which.size) for one in forms])
-    return Form(*parts[which, :, np.arange(which.size)].T)
+    return AffineForm(*parts[which, :, np.arange(which.size)].T)
 
 
-def _middles(x: list[Form]) -> Array:
+def _middles(x: list[AffineForm]) -> Array:
     return np.stack([np.broadcast_to(one.value, x[0].value.shape) for one in x])
 
 
-def _overlap(place: list[Form], other: list[Form]) -> NDArray[np.bool_]:
+def _overlap(place: list[AffineForm], other: list[AffineForm]) -> NDArray[np.bool_]:
     """Where enclosures of x and y have something in common."""
     ends = [(a.ends, b.ends) for a, b in zip(place, other, strict=True)]
     return np.asarray(np.all([(a[0] <= b[1]) & (b[0] <= a[1]) for a, b in ends], axis=0))

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.enclosures.forms import Form
+from linkwright.enclosures.forms import AffineForm
 from linkwright.graph.inverse import Inverse
 from linkwright.notation.harmonics import MOST
 from linkwright.studies.workspace.platform import OnePlatform
@@ -36,7 +36,7 @@ class Platforms:
         shape = n, self.most
         return x.reshape(len(x), *shape).swapaxes(1, 2), rooms.reshape(len(rooms), *shape).swapaxes(1, 2)
 
-    def over(self, x: list[Form]) -> Sets:
+    def over(self, x: list[AffineForm]) -> Sets:
         """Sets of poses over cells, from the program's inputs, arrays (n,); they hold all there are."""
         found = Sets(x, [], np.arange(x[0].value.size), np.arange(x[0].value.size))
         for one in self._each:
@@ -52,7 +52,7 @@ class Sets:
     """Sets of poses in pieces: the program's inputs ``x`` over each, forms (n,), the ``rooms`` of its set, forms (n,)
     by triads, ``of`` which cell it is, and the ``number`` of its set."""
 
-    x: list[Form]
-    rooms: list[Form]
+    x: list[AffineForm]
+    rooms: list[AffineForm]
     of: Rows
     number: Rows

@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.studies.workspace.curves import Segments
-from linkwright.studies.workspace.places import FOLD, LIMIT, MODES, Places
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.places import FOLD, LIMIT, MODES, ModePlaces
+from linkwright.studies.workspace.sheet import ModeSheet
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -44,7 +44,7 @@ class Contradiction:
 
 
 @dataclass(frozen=True, eq=False)
-class Paths:
+class DrivePaths:
     """The pieces of curves as they are drawn: ends (2, n) both, the ``drives`` (end, drive, n) there, the ``kind`` of
     each, and whether it is ``exact``, drawn to the chord tolerance."""
 
@@ -55,7 +55,7 @@ class Paths:
     exact: Mask
 
     @classmethod
-    def of(cls, sheet: Sheet, segments: Sequence[Segments]) -> Paths:
+    def of(cls, sheet: ModeSheet, segments: Sequence[Segments]) -> DrivePaths:
         """The paths of curves in the drives' plane, but for pieces an end of which has no place."""
         if not segments:
             none = np.empty((2, 0))
@@ -82,7 +82,7 @@ class Paths:
         return np.bincount(self.near(lines, distance)[0], minlength=len(lines))
 
 
-def contradiction(places: Places, paths: Paths, chord: float) -> Contradiction | None:
+def contradiction(places: ModePlaces, paths: DrivePaths, chord: float) -> Contradiction | None:
     """Where the number of poses contradicts the curves, if over more than a step of the lattice: on less, curves that
     touch each other are drawn as one."""
     if not paths.kind.size:
@@ -99,7 +99,7 @@ def contradiction(places: Places, paths: Paths, chord: float) -> Contradiction |
     return Contradiction(over, (x, y))
 
 
-def _across(places: Places, paths: Paths, chord: float) -> tuple[Array, Array]:
+def _across(places: ModePlaces, paths: DrivePaths, chord: float) -> tuple[Array, Array]:
     """Middles of pieces across which the number doesn't jump as it must, (2, n), and their lengths (m)."""
     import shapely
 
@@ -117,7 +117,7 @@ def _across(places: Places, paths: Paths, chord: float) -> tuple[Array, Array]:
     return middle[:, wrong], length[some[wrong]]
 
 
-def _blurred(places: Places, middle: Array, aside: Array, kind: NDArray[np.str_]) -> Mask:
+def _blurred(places: ModePlaces, middle: Array, aside: Array, kind: NDArray[np.str_]) -> Mask:
     """Beside which pieces, by their middles, another kind of curve is too near to be told from them: some function of
     its changes within half the way aside by much of its value."""
     found = np.zeros(kind.size, dtype=bool)
@@ -128,7 +128,7 @@ def _blurred(places: Places, middle: Array, aside: Array, kind: NDArray[np.str_]
     return found
 
 
-def _between(places: Places, paths: Paths, low: Array, high: Array, chord: float) -> Array:
+def _between(places: ModePlaces, paths: DrivePaths, low: Array, high: Array, chord: float) -> Array:
     """Middles of the ways between neighbours on a lattice that pass no curve though the number changes: (2, n)."""
     import shapely
 

@@ -13,8 +13,8 @@ from linkwright.graph.rows import Determinant
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.parameter_batch import Varied
 from linkwright.studies.workspace.assembly_signs import combinations
-from linkwright.studies.workspace.mesh import SMALL, Box, found_pits
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.mesh import SMALL, DriveBox, found_pits
+from linkwright.studies.workspace.sheet import ModeSheet
 
 if TYPE_CHECKING:
     from linkwright.studies.workspace.options import WorkspaceOptions
@@ -37,7 +37,7 @@ def unfit(compiled: Compiled, options: WorkspaceOptions, path: tuple[str, ...]) 
     box = options.box(compiled)
     first, second = compiled.graph.drives
     signs = combinations(compiled, options.modes)
-    sheet = Sheet(compiled, options.point, (first, second), signs[0])
+    sheet = ModeSheet(compiled, options.point, (first, second), signs[0])
     inner = EDGE * box.size  # exactly where pins meet nothing is known
     grid = [np.linspace(a, b, STEPS + 1) for a, b in zip(box.low + inner, box.high - inner, strict=True)]
     q = np.stack(np.meshgrid(*grid, indexing="ij"))
@@ -51,7 +51,7 @@ def unfit(compiled: Compiled, options: WorkspaceOptions, path: tuple[str, ...]) 
             return
 
 
-def _parallel(sheet: Sheet, q: Array) -> Array | None:
+def _parallel(sheet: ModeSheet, q: Array) -> Array | None:
     """Drive values (2,) near which the guides of a group become parallel, so that its links run away."""
     slides = [Determinant(group.label) for group in sheet.compiled.structure.groups if group.modes == 1]
     if not slides:
@@ -65,7 +65,7 @@ def _parallel(sheet: Sheet, q: Array) -> Array | None:
     return None
 
 
-def _met(sheet: Sheet, box: Box, q: Array) -> Array | None:
+def _met(sheet: ModeSheet, box: DriveBox, q: Array) -> Array | None:
     """Drive values (2,) at which outer pins of a group meet at an end of a range, or along a curve."""
     look = sheet.look(q.reshape(2, -1))
     with np.errstate(all="ignore"):

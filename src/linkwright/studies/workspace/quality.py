@@ -21,8 +21,8 @@ from linkwright.kernels.kernel_selection import choose
 from linkwright.model.mechanism import Mechanism
 from linkwright.studies.workspace.curves import Segments
 from linkwright.studies.workspace.maps import Maps, mapped
-from linkwright.studies.workspace.mesh import Box
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.mesh import DriveBox
+from linkwright.studies.workspace.sheet import ModeSheet
 
 Array = NDArray[np.float64]
 
@@ -30,7 +30,7 @@ STEPS = 200
 
 
 @dataclass(frozen=True)
-class Task:
+class QualityTask:
     """What the drives and the point have to do, SI; what is None has no map.
 
     ``speeds`` are the drives' speed limits (rad/s or m/s), ``efforts`` those of their torques or forces; ``force`` is
@@ -58,13 +58,17 @@ class Locus:
 class Quality:
     """The maps of one sheet and the loci of its singularities."""
 
-    sheet: Sheet
+    sheet: ModeSheet
     maps: Maps
     loci: tuple[Locus, ...]
 
 
 def quality(
-    sheet: Sheet, box: Box, task: Task | None = None, steps: int = STEPS, segments: Sequence[Segments] = ()
+    sheet: ModeSheet,
+    box: DriveBox,
+    task: QualityTask | None = None,
+    steps: int = STEPS,
+    segments: Sequence[Segments] = (),
 ) -> Quality:
     """The maps of a sheet on ``steps`` equal steps of each drive; ``segments`` are its curves, as a region has them.
 
@@ -77,7 +81,7 @@ def quality(
     | ``force``, ``force any way`` | the largest force of the point within the drives' effort limits: likewise |
     | ``effort DRIVE`` | of the task's force: the drive's torque or force, with its sign; of its size alone, the largest of any direction |
     """  # noqa: E501
-    measuring = _Measuring(sheet, task or Task(), (steps + 1) ** 2)
+    measuring = _Measuring(sheet, task or QualityTask(), (steps + 1) ** 2)
     maps = mapped(sheet.compiled.quantities, box, steps, measuring, measuring.kinds)
     return Quality(sheet, maps, loci(sheet, segments))
 
@@ -86,7 +90,7 @@ LOCI = {"singular": "dead", "modes": "uncertain", "pins": "uncertain"}
 """The kinds of curves that are singular, by the determinant that vanishes."""
 
 
-def loci(sheet: Sheet, segments: Sequence[Segments]) -> tuple[Locus, ...]:
+def loci(sheet: ModeSheet, segments: Sequence[Segments]) -> tuple[Locus, ...]:
     """The singular ones of a sheet's curves, by their kind."""
     found = []
     for one in segments:
@@ -97,7 +101,7 @@ def loci(sheet: Sheet, segments: Sequence[Segments]) -> tuple[Locus, ...]:
     return tuple(found)
 
 
-def kinds(compiled: Compiled, task: Task) -> dict[str, Dimension]:
+def kinds(compiled: Compiled, task: QualityTask) -> dict[str, Dimension]:
     """The maps that there are for a task, and their dimensions."""
     absent = set() if compiled.structure.groups else {"transmission"}
     absent |= {"speed", "speed any way"} if task.speeds is None else set()
@@ -131,7 +135,7 @@ def _turns(compiled: Compiled, drive: str) -> bool:
 class _Measuring:
     """All figures at drive values, from one run of one program."""
 
-    def __init__(self, sheet: Sheet, task: Task, poses: int) -> None:
+    def __init__(self, sheet: ModeSheet, task: QualityTask, poses: int) -> None:
         self.sheet, self.task = sheet, task
         graph, structure, point = sheet.compiled.graph, sheet.compiled.structure, sheet.point
         self.closed = reaches(structure)

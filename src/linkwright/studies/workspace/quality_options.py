@@ -17,7 +17,7 @@ from linkwright.kernels import Compiled
 from linkwright.model.mechanism import Mechanism
 from linkwright.studies.numbers import constant
 from linkwright.studies.workspace.maps_options import MapsAsked, limit
-from linkwright.studies.workspace.quality import Task, kinds, possible
+from linkwright.studies.workspace.quality import QualityTask, kinds, possible
 
 if TYPE_CHECKING:
     from linkwright.studies.workspace.options import WorkspaceOptions
@@ -57,12 +57,14 @@ class QualityOptions(MapsAsked):
             return
         yield from self.task(compiled)[1]
         both = (1.0, 1.0)
-        given = Task(both if self.speeds else None, both if self.efforts else None, None if self.force is None else 1.0)
+        given = QualityTask(
+            both if self.speeds else None, both if self.efforts else None, None if self.force is None else 1.0
+        )
         known = kinds(compiled, given)
         needs = _NEEDS | {f"effort {drive}": "force" for drive in compiled.graph.drives}
         yield from self.check_maps(compiled, known, {name: key for name, key in needs.items() if name not in known})
 
-    def task(self, compiled: Compiled) -> tuple[Task, list[Finding]]:
+    def task(self, compiled: Compiled) -> tuple[QualityTask, list[Finding]]:
         """The task in SI, and what is wrong with it."""
         speeds, wrong = self._limits(compiled, "speeds", self.speeds, {True: u.OMEGA, False: u.SPEED})
         efforts, more = self._limits(compiled, "efforts", self.efforts, {True: u.TORQUE, False: u.FORCE})
@@ -75,7 +77,7 @@ class QualityOptions(MapsAsked):
             found = []
         values, faults = _sorted(found)
         force = (values[0], values[1]) if len(values) == 2 else values[0] if values else None
-        return Task(speeds, efforts, force), [*wrong, *more, *faults]
+        return QualityTask(speeds, efforts, force), [*wrong, *more, *faults]
 
     def _limits(
         self, compiled: Compiled, key: str, given: Mapping[str, Expression], dimensions: Mapping[bool, Dimension]

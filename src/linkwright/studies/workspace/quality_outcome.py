@@ -10,7 +10,7 @@ import numpy as np
 
 from linkwright.expressions import units as u
 from linkwright.studies.workspace.mapped_regions import RegionMaps
-from linkwright.studies.workspace.mesh import Box
+from linkwright.studies.workspace.mesh import DriveBox
 from linkwright.studies.workspace.outcome import Reached, Workspace
 from linkwright.studies.workspace.quality import Locus, Quality, kinds, quality
 from linkwright.studies.workspace.quality_options import QualityOptions
@@ -91,7 +91,7 @@ def closures(outcome: WorkspaceOutcome) -> str:
     return "; ".join(f"closure of {group.label}" for group in outcome.compiled.graph.branched)
 
 
-def counted(kind: str, loci: Sequence[Locus], box: Box) -> Curves:
+def counted(kind: str, loci: Sequence[Locus], box: DriveBox) -> Curves:
     """The curves of a kind: pieces that meet or cross are one, over the end of a whole turn too."""
     import shapely
     from scipy.sparse import coo_array

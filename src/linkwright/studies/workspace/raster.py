@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from linkwright.studies.workspace import mesh as meshes
 from linkwright.studies.workspace.maps import Maps, together
 from linkwright.studies.workspace.regions import Region
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.sheet import ModeSheet
 
 Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
@@ -99,7 +99,7 @@ def _held(at: Array, x: Array, y: Array) -> tuple[Rows, Rows, Array]:
     return (row * x.size + column)[inside], which[inside], np.stack([1 - b - c, b, c], axis=1)
 
 
-def _nearer(sheet: Sheet, q: Array, places: Array, near: float, most: Array) -> tuple[Array, Array]:
+def _nearer(sheet: ModeSheet, q: Array, places: Array, near: float, most: Array) -> tuple[Array, Array]:
     """Drive values moved so that they come to places, by a few steps of Newton's method, and how far off these are."""
     best, off = q.copy(), np.full(q.shape[1], np.inf)
     rest, tried = np.arange(q.shape[1]), q

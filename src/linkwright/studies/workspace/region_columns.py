@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from linkwright.findings import Joined, Said, Text
-from linkwright.presentation.cells import Cell, Number
+from linkwright.presentation.cells import Cell, NumberCell
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
 
@@ -22,7 +22,7 @@ def region_heads(outcome: WorkspaceOutcome) -> list[Text]:
 
 def value_cells(outcome: WorkspaceOutcome, entry: Mapping[str, Any]) -> list[Cell]:
     """The values of the varied parameters in an entry of the summary."""
-    return [Number(entry[name], 6) for name in outcome.options.for_]
+    return [NumberCell(entry[name], 6) for name in outcome.options.for_]
 
 
 def region_cells(outcome: WorkspaceOutcome, entry: Mapping[str, Any]) -> list[Cell]:

@@ -11,13 +11,13 @@ from numpy.typing import NDArray
 from linkwright.graph.bound import farthest
 from linkwright.studies.workspace.border import border, polygons
 from linkwright.studies.workspace.cells import decided
-from linkwright.studies.workspace.certificate import Certificate, Fault, certified
+from linkwright.studies.workspace.certificate import Contradiction, RegionCertificate, certified
 from linkwright.studies.workspace.curves import Segments, smooth, traced
 from linkwright.studies.workspace.mesh import Mesh, found_pits, mesh
 from linkwright.studies.workspace.missing_curves import Square, missed, missed_anywhere
 from linkwright.studies.workspace.path_similarity import alike
-from linkwright.studies.workspace.places import Places
-from linkwright.studies.workspace.pose_counts import Paths, contradiction
+from linkwright.studies.workspace.places import ModePlaces
+from linkwright.studies.workspace.pose_counts import DrivePaths, contradiction
 
 Array = NDArray[np.float64]
 
@@ -51,10 +51,10 @@ class Enclosed:
     mesh: Mesh
     steps: int
     rough: float
-    certificate: Certificate
+    certificate: RegionCertificate
 
 
-def enclosed(places: Places, chord: float) -> Enclosed | None:
+def enclosed(places: ModePlaces, chord: float) -> Enclosed | None:
     """The region of a mode; ``None`` where lengths bound no square in which it lies, or nothing is reached."""
     square = _square(places)
     if square is None:
@@ -76,7 +76,7 @@ def enclosed(places: Places, chord: float) -> Enclosed | None:
     return Enclosed(shape, tuple(segments), made, steps, float(off.max(initial=0.0)), certificate)
 
 
-def _square(places: Places) -> Square | None:
+def _square(places: ModePlaces) -> Square | None:
     """Corner and side of a square in which the region lies, for its links are no longer; and about its extent (m)."""
     sheet, box = places.sheet, places.box
     graph = sheet.compiled.graph
@@ -97,7 +97,7 @@ def _square(places: Places) -> Square | None:
     return -half * SKEW, 2 * half, max(extent, 1e-9 * half)
 
 
-def _vague(places: Places, corner: Array, side: float) -> bool:
+def _vague(places: ModePlaces, corner: Array, side: float) -> bool:
     """Whether poses of platforms can't be told apart in many places, as those of parallelograms, whose polynomials have
     double zeros everywhere."""
     at = corner[:, None] + side * np.random.default_rng(0).uniform(0.3, 0.7, (2, SPOTS))
@@ -108,7 +108,9 @@ def _vague(places: Places, corner: Array, side: float) -> bool:
     return np.unique(of[which[vague]]).size > VAGUE * np.unique(of[which]).size
 
 
-def _curves(places: Places, shape: Any, square: Square, chord: float) -> tuple[list[Segments], Mesh, int, list[Fault]]:
+def _curves(
+    places: ModePlaces, shape: Any, square: Square, chord: float
+) -> tuple[list[Segments], Mesh, int, list[Contradiction]]:
     """The curves of a mode in the drives' plane; those that meshes miss, from the poses turned round; and what still
     contradicts them."""
     sheet, box = places.sheet, places.box
@@ -122,11 +124,11 @@ def _curves(places: Places, shape: Any, square: Square, chord: float) -> tuple[l
         rough = pieces
     segments = [one.within(ROUGH * chord) for one in smooth(sheet, pieces, chord)]
     segments += missed(places, _rings(shape), square[2], segments, chord)
-    wrong = contradiction(places, Paths.of(sheet, segments), chord)
+    wrong = contradiction(places, DrivePaths.of(sheet, segments), chord)
     if wrong:
         segments += missed_anywhere(places, square, segments, chord)
-        wrong = contradiction(places, Paths.of(sheet, segments), chord)
-    return segments, made, steps, [Fault("count", wrong.length, wrong.at)] if wrong else []
+        wrong = contradiction(places, DrivePaths.of(sheet, segments), chord)
+    return segments, made, steps, [Contradiction("count", wrong.length, wrong.at)] if wrong else []
 
 
 def _rings(shape: Any) -> tuple[Array, Array, Array]:

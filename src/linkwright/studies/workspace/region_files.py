@@ -25,11 +25,11 @@ from linkwright.findings import Finding, ModelError
 from linkwright.kernels.versions import versions
 from linkwright.model.origin import table_hashes
 from linkwright.model.output_files import make_folder
-from linkwright.studies.run_context import Site
+from linkwright.studies.run_context import RunContext
 from linkwright.studies.workspace.assembly_signs import Signs
 from linkwright.studies.workspace.options import PATH, SECTIONS
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.sheet import ModeSheet
 
 Array = NDArray[np.float64]
 Work = tuple[Signs, Array]
@@ -52,7 +52,7 @@ NOTED = ("blocks.corrupt", "blocks.other-work", "file.irregular", "file.link", "
 
 
 def resumable(
-    find: Callable[[Work], Found], sheet: Callable[[Work], Sheet], outcome: WorkspaceOutcome, site: Site
+    find: Callable[[Work], Found], sheet: Callable[[Work], ModeSheet], outcome: WorkspaceOutcome, site: RunContext
 ) -> Callable[[Work], Found]:
     """``find``, but that regions which lie in the site's folder are taken from there, and others written to it as soon
     as they are found. Without a folder, ``find`` itself.
@@ -95,7 +95,7 @@ class RegionFiles:
     versions: dict[str, str]
     fresh: bool
     find: Callable[[Work], Found]
-    sheet: Callable[[Work], Sheet] | None
+    sheet: Callable[[Work], ModeSheet] | None
 
     def __call__(self, work: Work) -> Found:
         """What comes of a work. It is what its file holds even where it was found just now: so a study goes on with the
@@ -110,7 +110,7 @@ class RegionFiles:
             if isinstance(fault, ModelError) and any(finding.code not in NOTED for finding in fault.findings):
                 raise
             notes = [Finding("workspace.part-damaged", PATH, {"file": str(file.path)}, severity="note")]
-        arrays = pack(self.find(work), {Sheet: "sheet"})
+        arrays = pack(self.find(work), {ModeSheet: "sheet"})
         replace(file, anew=True).write(1, arrays)
         found, warnings = _taken(arrays, outside)
         return found, [*warnings, *notes]
@@ -122,6 +122,6 @@ class RegionFiles:
         return Checkpoint(self.folder / f"{key[:DIGITS]}.region", key, self.fresh, self.versions)
 
 
-def _taken(arrays: dict[str, NDArray[Any]], outside: dict[str, Sheet]) -> Found:
+def _taken(arrays: dict[str, NDArray[Any]], outside: dict[str, ModeSheet]) -> Found:
     found, warnings = unpack(arrays, "linkwright", outside)
     return found, warnings

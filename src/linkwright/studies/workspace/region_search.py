@@ -14,12 +14,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.studies.workspace.certificate import Fault
+from linkwright.studies.workspace.certificate import Contradiction
 from linkwright.studies.workspace.curves import Segments, Traced, smooth, traced
-from linkwright.studies.workspace.mesh import Box, Mesh, found_pits, mesh
+from linkwright.studies.workspace.mesh import DriveBox, Mesh, found_pits, mesh
 from linkwright.studies.workspace.path_similarity import alike
 from linkwright.studies.workspace.shapes import without_slivers
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.sheet import ModeSheet
 from linkwright.studies.workspace.solving import reaches
 
 Array = NDArray[np.float64]
@@ -48,7 +48,7 @@ CLOSED = 1e-9
 
 
 @dataclass(frozen=True)
-class Searched:
+class MeshRegion:
     """A region's ``shape`` and curves on a mesh of some ``steps``; ``change`` of its area (share) when these were last
     doubled: at most so much where both meshes have the same curves, each then drawn within its chords."""
 
@@ -57,12 +57,12 @@ class Searched:
     mesh: Mesh
     steps: int
     change: float
-    faults: tuple[Fault, ...]
+    faults: tuple[Contradiction, ...]
 
 
-def searched(sheet: Sheet, box: Box, chord: float) -> Searched:
+def searched(sheet: ModeSheet, box: DriveBox, chord: float) -> MeshRegion:
     """The region of a sheet, on the meshes that find the least faults."""
-    tried: list[Searched] = []
+    tried: list[MeshRegion] = []
     for first, most, quick in MESHES:
         tried.append(_on_meshes(sheet, box, chord, first, most, quick))
         if not tried[-1].faults or any(fault.kind == "rough" for fault in tried[-1].faults):
@@ -70,7 +70,7 @@ def searched(sheet: Sheet, box: Box, chord: float) -> Searched:
     return min(tried, key=lambda one: sum(fault.size for fault in one.faults))
 
 
-def _on_meshes(sheet: Sheet, box: Box, chord: float, first: int, most: int, quick: bool) -> Searched:
+def _on_meshes(sheet: ModeSheet, box: DriveBox, chord: float, first: int, most: int, quick: bool) -> MeshRegion:
     """On meshes that are doubled until its area changes by little; if ``quick``, on the first two already where both
     have the same curves."""
     import shapely
@@ -78,14 +78,14 @@ def _on_meshes(sheet: Sheet, box: Box, chord: float, first: int, most: int, quic
     last, steps, close = None, first, max(CLOSE, 10 * chord / sheet.compiled.graph.size)
     pits = found_pits(sheet, box)
 
-    def made_of(made: Mesh, pieces: Traced, steps: int, last: float | None = None) -> Searched:
+    def made_of(made: Mesh, pieces: Traced, steps: int, last: float | None = None) -> MeshRegion:
         segments = smooth(sheet, pieces, chord)
         if fault := _rough(sheet, segments):
-            return Searched(shapely.Polygon(), tuple(segments), made, steps, np.inf, (fault,))
+            return MeshRegion(shapely.Polygon(), tuple(segments), made, steps, np.inf, (fault,))
         shape, faults = reached(sheet, box, made, segments, chord)
         area = float(shape.area)
         change = abs(area - last) / area if last is not None and area else np.inf
-        return Searched(shape, tuple(segments), made, steps, change, tuple(faults))
+        return MeshRegion(shape, tuple(segments), made, steps, change, tuple(faults))
 
     if quick and 2 * first <= most:
         rough, made = (mesh(sheet, box, n, pits) for n in (first, 2 * first))
@@ -102,21 +102,23 @@ def _on_meshes(sheet: Sheet, box: Box, chord: float, first: int, most: int, quic
             return found
         if 2 * steps > most:
             x, y = found.shape.centroid.coords[0]
-            return replace(found, faults=(*found.faults, Fault("unsettled", found.change, (x, y))))
+            return replace(found, faults=(*found.faults, Contradiction("unsettled", found.change, (x, y))))
         last, steps = area, 2 * steps
 
 
-def _rough(sheet: Sheet, segments: Sequence[Segments]) -> Fault | None:
+def _rough(sheet: ModeSheet, segments: Sequence[Segments]) -> Contradiction | None:
     """A fault where very many pieces can't be followed."""
     rough = np.concatenate([one.a[:, ~(one.off == 0)] for one in segments], axis=1)
     if rough.shape[1] <= ROUGH:
         return None
     at = sheet.place(rough)[0]
     x, y = np.nan_to_num(at[:, np.isfinite(at).all(axis=0)][:, :1]).sum(axis=1).tolist()
-    return Fault("rough", float(rough.shape[1]), (x, y))
+    return Contradiction("rough", float(rough.shape[1]), (x, y))
 
 
-def reached(sheet: Sheet, box: Box, made: Mesh, segments: Sequence[Segments], chord: float) -> tuple[Any, list[Fault]]:
+def reached(
+    sheet: ModeSheet, box: DriveBox, made: Mesh, segments: Sequence[Segments], chord: float
+) -> tuple[Any, list[Contradiction]]:
     """The faces between the curves' paths that are reached, together, and what doesn't fit. Slivers between paths that
     are one but for their chords go with the face with which they share most of their edge."""
     import shapely
@@ -145,7 +147,7 @@ def reached(sheet: Sheet, box: Box, made: Mesh, segments: Sequence[Segments], ch
     return without_slivers(shapely.union_all(faces[_with_slivers(faces, hit) > 0]), chord), faults
 
 
-def _nowhere(segments: Sequence[Segments], ends: Array, known: NDArray[np.bool_]) -> list[Fault]:
+def _nowhere(segments: Sequence[Segments], ends: Array, known: NDArray[np.bool_]) -> list[Contradiction]:
     """Pieces an end of which has no place: a round-off beyond the rim they are no longer than that."""
     which = np.concatenate([np.isfinite(one.off) & (one.off == 0) for one in segments])
     lost = ~known & ~which
@@ -154,10 +156,10 @@ def _nowhere(segments: Sequence[Segments], ends: Array, known: NDArray[np.bool_]
     at = ends[:, :, lost].reshape(2, -1)
     at = at[:, np.isfinite(at).all(axis=0)]
     x, y = at.mean(axis=1).tolist() if at.size else (0.0, 0.0)
-    return [Fault("nowhere", float(lost.sum()), (x, y))]
+    return [Contradiction("nowhere", float(lost.sum()), (x, y))]
 
 
-def _loose(lines: Any, kind: str, size: float) -> list[Fault]:
+def _loose(lines: Any, kind: str, size: float) -> list[Contradiction]:
     """Lines that bound no face, if they are long."""
     import shapely
 
@@ -165,7 +167,7 @@ def _loose(lines: Any, kind: str, size: float) -> list[Fault]:
     if not long > LONG * size:
         return []
     x, y = lines.centroid.coords[0]
-    return [Fault(kind, long, (x, y))]
+    return [Contradiction(kind, long, (x, y))]
 
 
 def _with_slivers(faces: Any, hit: NDArray[np.int_]) -> NDArray[np.int_]:

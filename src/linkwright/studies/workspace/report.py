@@ -9,16 +9,16 @@ from typing import Any
 from linkwright.expressions import units as u
 from linkwright.findings import Joined, Said, Text
 from linkwright.presentation.blocks import Block, Charts, Section, Sentences, StudyReport, Table, table
-from linkwright.presentation.cells import Cell, Number, Numbers, Unit, numbers, percent
+from linkwright.presentation.cells import Cell, NumberCell, Numbers, Unit, numbers, percent
 from linkwright.presentation.json_numbers import known
-from linkwright.studies.workspace.certificate import Certificate
+from linkwright.studies.workspace.certificate import RegionCertificate
 from linkwright.studies.workspace.doubts import sized
 from linkwright.studies.workspace.outcome import Workspace, WorkspaceOutcome
 from linkwright.studies.workspace.parts_report import written
 from linkwright.studies.workspace.picture import areas, pictures
 from linkwright.studies.workspace.region_columns import mode_cell, value_cells, value_heads
-from linkwright.studies.workspace.shapes import Figures, figures
-from linkwright.studies.workspace.steps import Steps
+from linkwright.studies.workspace.shapes import ShapeFigures, figures
+from linkwright.studies.workspace.steps import SliderSteps
 
 
 def workspace_entry(outcome: WorkspaceOutcome) -> dict[str, Any]:
@@ -68,7 +68,7 @@ def workspace_entry(outcome: WorkspaceOutcome) -> dict[str, Any]:
     return {"workspace": entry | {name: part.as_dict() for name, part in outcome.parts.items()}}
 
 
-def certificate_entry(found: Certificate, size: float) -> dict[str, Any]:
+def certificate_entry(found: RegionCertificate, size: float) -> dict[str, Any]:
     """What is proven of a region, lengths in units of ``size`` m."""
     area = None if found.area is None else [bound / size**2 for bound in found.area]
     entry = {"grade": found.grade, "certified": found.certified, "area": area}
@@ -87,7 +87,7 @@ def _bounds(bounds: tuple[float, ...], size: float) -> list[float | None]:
     return [known(edge / size) for edge in bounds]
 
 
-def _told(found: Figures, size: float) -> dict[str, Any]:
+def _told(found: ShapeFigures, size: float) -> dict[str, Any]:
     return {
         "area": found.area / size**2,
         "perimeter": found.perimeter / size,
@@ -113,7 +113,7 @@ def report(outcome: WorkspaceOutcome) -> StudyReport:
     drawn = [*pictures(outcome), *(chart for part in written(outcome) for chart in part.charts(outcome))]
     blocks: list[Block] = [
         Sentences(workspace_sentences(outcome)),
-        Charts(drawn, Steps(outcome).sliders()),
+        Charts(drawn, SliderSteps(outcome).sliders()),
         *workspace_tables(outcome, summary["workspace"]),
     ]
     return StudyReport([Section("workspace", blocks)], summary, areas(outcome))
@@ -135,7 +135,7 @@ def workspace_sentences(outcome: WorkspaceOutcome) -> list[Text]:
     return [*told, *(text for part in written(outcome) for text in part.sentences(outcome))]
 
 
-def _proven(every: list[Certificate], unit: str, size: float) -> list[Text]:
+def _proven(every: list[RegionCertificate], unit: str, size: float) -> list[Text]:
     """What the certificates of all regions say together."""
     enclosed = [one for one in every if one.area is not None]
     told = list[Text]()
@@ -171,10 +171,12 @@ def _region(one: Entry) -> list[Cell]:
 def _shape(one: Entry) -> list[Cell]:
     proven = one.get("certificate", {})
     counts: list[Cell] = [
-        Said("workspace.count-open", count=one[what]) if proven.get("area") and not proven[what] else Number(one[what])
+        Said("workspace.count-open", count=one[what])
+        if proven.get("area") and not proven[what]
+        else NumberCell(one[what])
         for what in ("holes", "parts")
     ]
-    return [Number(one["perimeter"], unit=one["unit"]), *counts, *_extents(one)]
+    return [NumberCell(one["perimeter"], unit=one["unit"]), *counts, *_extents(one)]
 
 
 def _extents(one: Entry) -> Iterator[Numbers]:
@@ -182,8 +184,8 @@ def _extents(one: Entry) -> Iterator[Numbers]:
         yield numbers(() if low is None else (low, high), 6, one["unit"])
 
 
-def _area(one: Entry, key: str) -> Number:
-    return Number(one[key], unit=u.squared(one["unit"]))
+def _area(one: Entry, key: str) -> NumberCell:
+    return NumberCell(one[key], unit=u.squared(one["unit"]))
 
 
 def _turning(one: Entry) -> list[Cell]:
@@ -200,12 +202,17 @@ _TABLES: Mapping[str, tuple[tuple[str, ...], Callable[[Entry], list[Cell]]]] = {
     "union": (("area", *_SHAPE, "both"), lambda one: [_area(one, "area"), *_shape(one), _area(one, "several")]),
     "overlap": (
         ("modes", "area", "share", "parts"),
-        lambda one: [" / ".join(one["modes"]), _area(one, "area"), percent(one["share"]), Number(one["parts"])],
+        lambda one: [" / ".join(one["modes"]), _area(one, "area"), percent(one["share"]), NumberCell(one["parts"])],
     ),
     "turning": (("drive", "intervals", "other", "unit", "signs"), _turning),
     "curves": (
         ("mode", "length", "parts", "x", "y"),
-        lambda one: [mode_cell(one), Number(one["length"], unit=one["unit"]), Number(one["parts"]), *_extents(one)],
+        lambda one: [
+            mode_cell(one),
+            NumberCell(one["length"], unit=one["unit"]),
+            NumberCell(one["parts"]),
+            *_extents(one),
+        ],
     ),
 }
 """By their key in the entry: the columns, and the cells of one row."""

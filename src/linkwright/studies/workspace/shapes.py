@@ -10,7 +10,7 @@ THIN = 4.0
 
 
 @dataclass(frozen=True)
-class Figures:
+class ShapeFigures:
     """Figures of a shape: m2, m; ``bounds`` are least x, least y, largest x, largest y; ``centroid`` x, y."""
 
     area: float
@@ -21,15 +21,17 @@ class Figures:
     centroid: tuple[float, float]
 
 
-def figures(shape: Any) -> Figures:
+def figures(shape: Any) -> ShapeFigures:
     """The figures of a polygon or several."""
     polygons = pieces(shape)
     if not polygons:
         nowhere = float("nan")
-        return Figures(0.0, 0.0, 0, 0, (nowhere,) * 4, (nowhere, nowhere))
+        return ShapeFigures(0.0, 0.0, 0, 0, (nowhere,) * 4, (nowhere, nowhere))
     holes = sum(len(polygon.interiors) for polygon in polygons)
     x, y = shape.centroid.coords[0]
-    return Figures(float(shape.area), float(shape.length), holes, len(polygons), shape.bounds, (float(x), float(y)))
+    return ShapeFigures(
+        float(shape.area), float(shape.length), holes, len(polygons), shape.bounds, (float(x), float(y))
+    )
 
 
 def pieces(shape: Any) -> list[Any]:

@@ -24,7 +24,7 @@ Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True)
-class Look:
+class SheetPlaces:
     """A sheet at some places (n,): NaN where the mechanism can't be assembled.
 
     ``at`` (2, n) is the working point (m), ``jacobian`` (2, 2, n) its derivatives by the drives, ``reach`` the least
@@ -49,7 +49,7 @@ class Look:
         return self.determinant * self.closure
 
 
-class Sheet:
+class ModeSheet:
     """The working point of one mode: ``branches`` gives each group with two modes its sign, ``parameters``
     (parameters,) are those of the mechanism (SI). The third and further drives don't exist: there are two."""
 
@@ -93,7 +93,7 @@ class Sheet:
         x[first : graph.first_unknown] = np.array(self.branches)[:, None]
         return x
 
-    def look(self, q: Array) -> Look:
+    def look(self, q: Array) -> SheetPlaces:
         """Everything at drive values ``q`` (2, n) in rad or m."""
         n, count = q.shape[1], len(self._closed)
         x = self.inputs(np.concatenate([q, q], axis=1))  # one call for both columns of the jacobian
@@ -104,7 +104,7 @@ class Sheet:
         jacobian = np.stack([y[2:4, :n], y[2:4, n:]], axis=1)
         y = y[:, :n]
         closure = np.nan_to_num(np.prod(y[4 + count :], axis=0) / self._scale)  # 0/0 where the pins of a slide meet
-        return Look(y[:2], jacobian, _least(y[4 : 4 + count], q), closure)
+        return SheetPlaces(y[:2], jacobian, _least(y[4 : 4 + count], q), closure)
 
     def place(self, q: Array) -> tuple[Array, Array]:
         """The working point alone, (2, n), and the least reach, (n,)."""

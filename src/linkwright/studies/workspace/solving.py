@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.studies.workspace.mesh import RIM, Box, Mesh
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.mesh import RIM, DriveBox, Mesh
+from linkwright.studies.workspace.sheet import ModeSheet
 
 Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
@@ -19,7 +19,7 @@ DONE = 1e-3
 """What misses by less than this share of what is near enough needn't come nearer."""
 
 
-def reaches(sheet: Sheet, box: Box, made: Mesh, places: Array, near: float) -> tuple[NDArray[np.bool_], Array]:
+def reaches(sheet: ModeSheet, box: DriveBox, made: Mesh, places: Array, near: float) -> tuple[NDArray[np.bool_], Array]:
     """Whether the working point comes to places (2, n) within ``near`` (m), and the drive values (2, n) at which."""
     from scipy.spatial import cKDTree
 
@@ -39,7 +39,7 @@ def reaches(sheet: Sheet, box: Box, made: Mesh, places: Array, near: float) -> t
     return found, values
 
 
-def solved(sheet: Sheet, box: Box, q: Array, places: Array, near: float) -> tuple[Array, NDArray[np.bool_]]:
+def solved(sheet: ModeSheet, box: DriveBox, q: Array, places: Array, near: float) -> tuple[Array, NDArray[np.bool_]]:
     """Drive values at which the working point is at places (2, n), by damped Newton from ``q``; which were found."""
     low, high = np.array(box.low)[:, None], np.array(box.high)[:, None]
     held = ~np.array(box.turns)[:, None]

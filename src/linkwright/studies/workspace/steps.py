@@ -9,7 +9,7 @@ from linkwright.presentation.blocks import Chart, Slider
 from linkwright.studies.workspace.outcome import Workspace, WorkspaceOutcome, values_text
 
 
-class Steps:
+class SliderSteps:
     """Each varied parameter with its distinct values, rising; those with one value have no slider."""
 
     def __init__(self, outcome: WorkspaceOutcome) -> None:

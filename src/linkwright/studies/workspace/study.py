@@ -15,9 +15,9 @@ from linkwright.kernels.parameter_batch import Varied
 from linkwright.presentation.blocks import StudyReport
 from linkwright.studies.interruption import Stopped
 from linkwright.studies.registry import Command, Study, register
-from linkwright.studies.run_context import NOWHERE, Site
+from linkwright.studies.run_context import NOWHERE, RunContext
 from linkwright.studies.workspace.assembly_signs import Signs, combinations, named
-from linkwright.studies.workspace.coupler_curve import Curve, curve
+from linkwright.studies.workspace.coupler_curve import CouplerCurve, curve
 from linkwright.studies.workspace.doubts import doubts
 from linkwright.studies.workspace.files import FILES
 from linkwright.studies.workspace.options import PATH, WorkspaceOptions, check
@@ -28,7 +28,7 @@ from linkwright.studies.workspace.preconditions import unfit
 from linkwright.studies.workspace.region_files import FOLDER, resumable
 from linkwright.studies.workspace.regions import Region, region
 from linkwright.studies.workspace.report import report
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.sheet import ModeSheet
 from linkwright.studies.workspace.turning import turnings
 from linkwright.studies.workspace.unreachable import never
 
@@ -57,7 +57,7 @@ class WorkspaceStudy(Study):
         found = [*check(compiled, options)]
         return found or [*unfit(compiled, options, PATH)]
 
-    def run(self, compiled: Compiled, options: WorkspaceOptions, site: Site = NOWHERE) -> WorkspaceOutcome:
+    def run(self, compiled: Compiled, options: WorkspaceOptions, site: RunContext = NOWHERE) -> WorkspaceOutcome:
         """The region of each mode for each combination of values."""
         outcome = WorkspaceOutcome(compiled, options, options.chord * compiled.graph.size)
         if len(compiled.graph.drives) == 2:
@@ -83,7 +83,7 @@ class WorkspaceStudy(Study):
         return [FOLDER]
 
 
-def _regions(outcome: WorkspaceOutcome, site: Site) -> tuple[int, int, bool]:
+def _regions(outcome: WorkspaceOutcome, site: RunContext) -> tuple[int, int, bool]:
     """Find the region of each mode for each combination of values; how many are done, of how many, and whether an
     interrupt came."""
     compiled, options = outcome.compiled, outcome.options
@@ -123,12 +123,14 @@ def _senseless(compiled: Compiled, values: dict[str, float]) -> list[Finding]:
     return Varied(compiled, tuple(values)).faults(np.array([*values.values()]).reshape(-1, 1))
 
 
-def _sheet(outcome: WorkspaceOutcome, signs: Signs, parameters: Array) -> Sheet:
+def _sheet(outcome: WorkspaceOutcome, signs: Signs, parameters: Array) -> ModeSheet:
     first, second = outcome.compiled.graph.drives
-    return Sheet(outcome.compiled, outcome.point, (first, second), signs, parameters)
+    return ModeSheet(outcome.compiled, outcome.point, (first, second), signs, parameters)
 
 
-def _found(outcome: WorkspaceOutcome, signs: Signs, parameters: Array) -> tuple[Reached | Curve | None, list[Finding]]:
+def _found(
+    outcome: WorkspaceOutcome, signs: Signs, parameters: Array
+) -> tuple[Reached | CouplerCurve | None, list[Finding]]:
     """What one mode reaches, ``None`` where it can't be assembled anywhere; what contradicts that. The outcome isn't
     changed."""
     compiled, options, box = outcome.compiled, outcome.options, outcome.box
@@ -165,7 +167,7 @@ def _missed(found: Region, chord: float) -> float:
     return float((shapely.distance(found.shape, shapely.points(outside.T)) > 2 * chord).sum()) / SAMPLES
 
 
-def _flat(sheet: Sheet, low: tuple[float, float], high: tuple[float, float]) -> bool:
+def _flat(sheet: ModeSheet, low: tuple[float, float], high: tuple[float, float]) -> bool:
     """Whether the point moves along curves only."""
     axes = [np.linspace(a, b, LOOKS + 1)[:-1] + 0.37 * (b - a) / LOOKS for a, b in zip(low, high, strict=True)]
     look = sheet.look(np.stack(np.meshgrid(*axes)).reshape(2, -1))
@@ -179,7 +181,7 @@ def _keep(outcome: WorkspaceOutcome, values: dict[str, float], parameters: Array
     if not found:
         outcome.failures += _nothing(outcome, values, parameters)
         return
-    curves = tuple(one for one in found if isinstance(one, Curve))
+    curves = tuple(one for one in found if isinstance(one, CouplerCurve))
     regions = tuple(one for one in found if isinstance(one, Reached))
     sheets = [one.region.sheet for one in regions]
     turning = tuple(turnings(sheets, outcome.box)) if outcome.box and sheets else ()

@@ -48,7 +48,7 @@ BENT = 1e-6
 
 
 @dataclass(frozen=True)
-class Wanted:
+class TargetPath:
     """``of(u)`` gives the place (m) with its first and second derivative by u: (3, 2, n). ``corners`` are the u at
     which the direction jumps, ``path`` is its place in the file."""
 
@@ -57,14 +57,14 @@ class Wanted:
     corners: tuple[float, ...] = ()
     path: Path_ = PATH
 
-    def backward(self) -> Wanted:
+    def backward(self) -> TargetPath:
         """The same path run the other way."""
         sign = np.array([1.0, -1.0, 1.0])[:, None, None]
         corners = tuple(1.0 - c for c in self.corners)
-        return Wanted(lambda share: sign * self.of(1.0 - share), self.closed, corners, self.path)
+        return TargetPath(lambda share: sign * self.of(1.0 - share), self.closed, corners, self.path)
 
 
-def through(points: Array, between: str = "cubic", path: Path_ = PATH) -> Wanted:
+def through(points: Array, between: str = "cubic", path: Path_ = PATH) -> TargetPath:
     """The path through points (n, 2) in m: a spline over the length of the chords as ``tables`` have it (linear,
     cubic, quintic), periodic where the last point is the first."""
     from scipy.interpolate import make_interp_spline
@@ -88,7 +88,7 @@ def through(points: Array, between: str = "cubic", path: Path_ = PATH) -> Wanted
         zero = np.zeros((2, np.size(at)))
         return np.stack([spline(at, nu=k).T if k <= degree else zero for k in range(3)])
 
-    return Wanted(of, closed, _corners(points, share, closed) if degree == 1 else (), path)
+    return TargetPath(of, closed, _corners(points, share, closed) if degree == 1 else (), path)
 
 
 def _corners(points: Array, share: Array, closed: bool) -> tuple[float, ...]:
@@ -99,7 +99,7 @@ def _corners(points: Array, share: Array, closed: bool) -> tuple[float, ...]:
     return tuple(share[1:][bent].tolist())
 
 
-def from_csv(file: str, folder: Path | None = None, between: str = "cubic", path: Path_ = PATH) -> Wanted:
+def from_csv(file: str, folder: Path | None = None, between: str = "cubic", path: Path_ = PATH) -> TargetPath:
     """The path through the rows of a CSV file with the columns ``x [mm]`` and ``y [mm]`` (any unit of length)."""
     rows = read_csv(file, folder, path, MAX_ROWS)
     columns, sizes = [], []
@@ -119,7 +119,7 @@ def from_csv(file: str, folder: Path | None = None, between: str = "cubic", path
 
 def from_dxf(
     file: str, size: float, folder: Path | None = None, layer: str | None = None, path: Path_ = PATH
-) -> Wanted:
+) -> TargetPath:
     """The one polyline, line, arc, circle, ellipse or spline of a DXF drawing (of a layer); ``size`` is its unit in m.
 
     Polylines stay straight pieces; arcs and splines become chords.
@@ -129,7 +129,7 @@ def from_dxf(
 
 def from_formula(
     quantities: Quantities, x: str, y: str, path: Path_ = PATH, parameters: Mapping[str, float] | None = None
-) -> Wanted:
+) -> TargetPath:
     """The path x(u), y(u) for u in 0 .. 1: expressions of u and of the mechanism's ``parameters`` (SI, the nominal
     ones if not given), exact derivatives."""
     values = quantities.parameters if parameters is None else parameters
@@ -166,7 +166,7 @@ def from_formula(
         raise ModelError([Finding("workspace.path-value", path, {"u": where})])
     size = float(np.ptp(tried[0], axis=1).max())
     closed = bool(np.hypot(*(tried[0, :, -1] - tried[0, :, 0])) <= SAME * size)
-    return Wanted(of, closed, path=path)
+    return TargetPath(of, closed, path=path)
 
 
 def _strange(node: Node, quantities: Quantities) -> str | None:

@@ -13,10 +13,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.studies.workspace.coupler_curve import Stretch
+from linkwright.studies.workspace.coupler_curve import CurveStretch
 from linkwright.studies.workspace.curves import distance
-from linkwright.studies.workspace.mesh import Box, halved
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.mesh import DriveBox, halved
+from linkwright.studies.workspace.sheet import ModeSheet
 
 Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
@@ -45,7 +45,7 @@ class Trajectory:
     the end of the range goes on beyond it."""
 
     held: float
-    stretches: tuple[Stretch, ...]
+    stretches: tuple[CurveStretch, ...]
 
     @cached_property
     def length(self) -> float:
@@ -68,7 +68,7 @@ class Trajectories:
         return sum(one.length for one in self.each)
 
     @property
-    def stretches(self) -> list[Stretch]:
+    def stretches(self) -> list[CurveStretch]:
         """The stretches of all."""
         return [stretch for one in self.each for stretch in one.stretches]
 
@@ -78,7 +78,7 @@ class Trajectories:
         return sum(bool(one.q[-1] - one.q[0] >= WHOLE * self.span) for one in self.stretches)
 
 
-def trajectories(sheet: Sheet, box: Box, hold: int, values: Array, chord: float) -> Trajectories:
+def trajectories(sheet: ModeSheet, box: DriveBox, hold: int, values: Array, chord: float) -> Trajectories:
     """The trajectories at constant values (n,) of drive number ``hold`` while the other one goes through its range of
     ``box``. Their corners are exact; chords lie within ``chord`` (m) of the true curves."""
     slices = _Slices(sheet, box, hold, values)
@@ -86,10 +86,10 @@ def trajectories(sheet: Sheet, box: Box, hold: int, values: Array, chord: float)
     q = np.concatenate([run.q for run in runs]) if runs else np.empty(0)
     number = np.repeat(np.arange(len(runs)), [run.q.size for run in runs])
     q, at, number = slices.refined(q, number, np.array([run.row for run in runs], dtype=np.intp), chord)
-    kept: list[list[Stretch]] = [[] for _ in values]
+    kept: list[list[CurveStretch]] = [[] for _ in values]
     for i, run in enumerate(runs):
         mine = number == i
-        kept[run.row] += _unbroken(Stretch(q[mine], at[:, mine], run.closed), slices.span, chord)
+        kept[run.row] += _unbroken(CurveStretch(q[mine], at[:, mine], run.closed), slices.span, chord)
     each = tuple(Trajectory(float(v), tuple(some)) for v, some in zip(values, kept, strict=True))
     return Trajectories(hold, slices.span, each)
 
@@ -109,7 +109,7 @@ class _Run:
 class _Slices:
     """Slices of a sheet: in each row the held drive has a value of its own."""
 
-    def __init__(self, sheet: Sheet, box: Box, hold: int, values: Array) -> None:
+    def __init__(self, sheet: ModeSheet, box: DriveBox, hold: int, values: Array) -> None:
         self.sheet, self.hold, self.values = sheet, hold, values
         self.low, self.high, self.turns = box.low[1 - hold], box.high[1 - hold], box.turns[1 - hold]
         self.span = self.high - self.low
@@ -212,7 +212,7 @@ def _beyond(runs: list[_Run]) -> Iterator[float | None]:
         yield from (run.before, run.after)
 
 
-def _unbroken(one: Stretch, span: float, chord: float) -> Iterator[Stretch]:
+def _unbroken(one: CurveStretch, span: float, chord: float) -> Iterator[CurveStretch]:
     """The parts of a stretch between jumps of the point, and between places at which the mechanism doesn't close."""
     known = np.asarray(np.isfinite(one.at).all(axis=0))
     far = ~(np.hypot(*np.diff(one.at)) <= JUMP * chord) & (np.diff(one.q) <= LEAST * span)
@@ -226,4 +226,4 @@ def _unbroken(one: Stretch, span: float, chord: float) -> Iterator[Stretch]:
         pieces[0] = (np.concatenate([last, q[1:] + span]), np.concatenate([there, at[:, 1:]], axis=1))
     for q, at in pieces:
         if q.size > 1:
-            yield Stretch(q, at, closed=False)
+            yield CurveStretch(q, at, closed=False)

@@ -7,17 +7,17 @@ from functools import lru_cache, partial
 from typing import Any
 
 from linkwright.drawing.charts import named
-from linkwright.drawing.plane import Bounds, Plane, framed_box, outline
+from linkwright.drawing.plane import Bounds, PicturePlane, framed_box, outline
 from linkwright.drawing.tiled import tiled
 from linkwright.expressions import units as u
 from linkwright.findings import Said, Text
 from linkwright.model.csv_text import cell, head, written
 from linkwright.presentation.blocks import Chart, Table, table
-from linkwright.presentation.cells import Cell, Number, Unit, numbers
+from linkwright.presentation.cells import Cell, NumberCell, Unit, numbers
 from linkwright.studies.workspace.curve_lines import lines
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 from linkwright.studies.workspace.region_columns import region_cells, region_heads
-from linkwright.studies.workspace.steps import Steps
+from linkwright.studies.workspace.steps import SliderSteps
 from linkwright.studies.workspace.trajectories_outcome import RegionTrajectories, TrajectoriesPart
 from linkwright.studies.workspace.trajectory_picture import ColouredLine, Scale, trajectory_picture
 
@@ -49,8 +49,8 @@ def trajectories_tables(outcome: WorkspaceOutcome) -> list[Table]:
 def _cells(entry: dict[str, Any]) -> list[Cell]:
     values = entry["values"]
     drive = [entry["hold"], numbers((values["from"], values["to"]), 6), Unit(values["unit"])]
-    counts = [f"{entry['assembled']}/{values['count']}", Number(entry["whole"]), Number(entry["stretches"])]
-    return [*drive, *counts, Number(entry["length"]), Unit(entry["unit"])]
+    counts = [f"{entry['assembled']}/{values['count']}", NumberCell(entry["whole"]), NumberCell(entry["stretches"])]
+    return [*drive, *counts, NumberCell(entry["length"]), Unit(entry["unit"])]
 
 
 def trajectories_charts(outcome: WorkspaceOutcome) -> Sequence[Chart]:
@@ -66,15 +66,15 @@ def _charts(part: TrajectoriesPart) -> Sequence[Chart]:
     boxes = {
         mode: framed_box(one.reached.shape.bounds for one in regions if one.reached.mode == mode) for mode in modes
     }
-    steps = Steps(part.outcome)
+    steps = SliderSteps(part.outcome)
     return tuple(_chart(part, one, boxes[one.reached.mode], steps) for one in regions)
 
 
-def _chart(part: TrajectoriesPart, one: RegionTrajectories, box: Bounds, steps: Steps) -> Chart:
+def _chart(part: TrajectoriesPart, one: RegionTrajectories, box: Bounds, steps: SliderSteps) -> Chart:
     """The picture of one region."""
     outcome, compiled = part.outcome, part.outcome.compiled
     unit, size = compiled.quantities.unit_of(u.LENGTH)
-    plane, (held, moving) = Plane.of(box, unit, size), part.drives
+    plane, (held, moving) = PicturePlane.of(box, unit, size), part.drives
     drive_unit, drive_size = compiled.quantities.drive_unit(held)
     values = outcome.told(one.workspace)
     mode = one.reached.mode or Said("workspace.one-mode")
@@ -97,7 +97,7 @@ def _chart(part: TrajectoriesPart, one: RegionTrajectories, box: Bounds, steps: 
 
 
 def _singular(
-    outcome: WorkspaceOutcome, one: RegionTrajectories, plane: Plane, size: float
+    outcome: WorkspaceOutcome, one: RegionTrajectories, plane: PicturePlane, size: float
 ) -> tuple[list[str], list[tuple[str, Text]]]:
     """The singular positions of a region by kind, which lie over its trajectories, and the legend of them."""
     region, compiled = one.reached.region, outcome.compiled

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from linkwright.drawing.charts import LETTER, ticks
 from linkwright.drawing.colour_scale import colours
-from linkwright.drawing.plane import LEFT, LINE, WIDTH, Plane, folded, framed
+from linkwright.drawing.plane import LEFT, LINE, WIDTH, PicturePlane, folded, framed
 from linkwright.escape import markup
 from linkwright.findings import Text
 
@@ -74,7 +74,7 @@ class ColouredLine:
 
 
 def trajectory_picture(
-    plane: Plane,
+    plane: PicturePlane,
     drawn: Sequence[ColouredLine],
     scale: Scale,
     outline: str,
@@ -98,7 +98,7 @@ def trajectory_picture(
     return framed(plane, [*shapes, bar], legend, title, height)
 
 
-def _group(plane: Plane, drawn: Sequence[ColouredLine], scale: Scale) -> str:
+def _group(plane: PicturePlane, drawn: Sequence[ColouredLine], scale: Scale) -> str:
     """The trajectories as paths, each with its text: thinned until they are small enough, then every other one left
     out."""
     fine, step = FINE, 1
@@ -132,7 +132,7 @@ def _path(lines: Sequence[Array], fine: float) -> str:
     return made
 
 
-def _bar(plane: Plane, scale: Scale, own: str) -> tuple[str, float]:
+def _bar(plane: PicturePlane, scale: Scale, own: str) -> tuple[str, float]:
     """The scale below the axes, and how much room it takes."""
     top = plane.bottom + 56
     rows = [*folded(str(scale.name), int((WIDTH - LEFT) / LETTER))]

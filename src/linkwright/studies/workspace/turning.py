@@ -17,8 +17,8 @@ from linkwright.graph.rows import Determinant, Radicand
 from linkwright.kernels import KERNELS
 from linkwright.model.quantities import Quantities
 from linkwright.results.stationary import bracketed
-from linkwright.studies.workspace.mesh import Box
-from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.mesh import DriveBox
+from linkwright.studies.workspace.sheet import ModeSheet
 
 Array = NDArray[np.float64]
 Interval = tuple[float, float]
@@ -36,7 +36,7 @@ ZOOM, ZOOMS = 8, 14
 
 
 @dataclass(frozen=True)
-class Turning:
+class TurningValues:
     """The values of drive ``other`` (rad or m) at which ``drive`` goes through all of its range, a whole turn where it
     turns freely.
 
@@ -59,9 +59,9 @@ class Turning:
         return {**found, "intervals": intervals, "whole": self.whole}
 
 
-def turnings(sheets: Sequence[Sheet], box: Box) -> list[Turning]:
+def turnings(sheets: Sequence[ModeSheet], box: DriveBox) -> list[TurningValues]:
     """Both drives of a mechanism, one after the other, in each of its modes that differ in this."""
-    found: list[Turning] = []
+    found: list[TurningValues] = []
     for k in (0, 1):
         for sheet in sheets:
             margin = _Margin(sheet, box, k)
@@ -70,7 +70,7 @@ def turnings(sheets: Sequence[Sheet], box: Box) -> list[Turning]:
     return found
 
 
-def _turning(sheet: Sheet, box: Box, k: int, margin: _Margin) -> Turning:
+def _turning(sheet: ModeSheet, box: DriveBox, k: int, margin: _Margin) -> TurningValues:
     low, high = box.low[1 - k], box.high[1 - k]
     last: list[Interval] = []
     steps = FIRST
@@ -80,13 +80,13 @@ def _turning(sheet: Sheet, box: Box, k: int, margin: _Margin) -> Turning:
         if (same and steps > FIRST) or 2 * steps > MOST:
             break
         last, steps = intervals, 2 * steps
-    return Turning(sheet.drives[k], sheet.drives[1 - k], margin.mode, tuple(intervals), whole)
+    return TurningValues(sheet.drives[k], sheet.drives[1 - k], margin.mode, tuple(intervals), whole)
 
 
 class _Margin:
     """How far all groups of a sheet are from not closing while drive ``k`` goes through its range."""
 
-    def __init__(self, sheet: Sheet, box: Box, k: int) -> None:
+    def __init__(self, sheet: ModeSheet, box: DriveBox, k: int) -> None:
         graph, groups = sheet.compiled.graph, sheet.compiled.structure.groups
         self.sheet, self.k, self.low, self.high = sheet, k, box.low[k], box.high[k]
         self.rate = graph.drives.index(sheet.drives[k]) * graph.width + 1

@@ -24,7 +24,7 @@ class _Misses(Exception):
     """A group can't be closed."""
 
 
-class _Gap:
+class _LengthGap:
     """How much is missing at drive values: the group that fails first, what it must span and what it can."""
 
     def __init__(self, compiled: Compiled, parameters: Mapping[str, float]) -> None:
@@ -67,7 +67,7 @@ def never(
     """What a finding says of lengths that close at no values of the drives; ``None`` where they do somewhere."""
     from scipy.optimize import minimize
 
-    gap = _Gap(compiled, parameters)
+    gap = _LengthGap(compiled, parameters)
     axes = [np.linspace(low, high, STEPS + 1) for low, high in ranges]
     places = np.stack(np.meshgrid(*axes)).reshape(len(ranges), -1).T
     looked = [(gap.at(q, signs), tuple(q), signs) for signs in combinations(compiled) for q in places]

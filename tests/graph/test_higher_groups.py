@@ -14,7 +14,7 @@ from linkwright.compilation import examine
 from linkwright.graph.rows import BodyPlace
 from linkwright.model.document import Document
 from linkwright.results import Run, certify
-from linkwright.structure import Cluster
+from linkwright.structure import HigherGroup
 
 SLOWLY = {"speed": 0.2, "start": 0}
 SI = {"length": "m", "angle": "rad", "mass": "kg", "time": "s", "force": "N", "torque": "N*m"}
@@ -156,7 +156,7 @@ def test_motion_and_forces_agree_with_the_full_equations(name: str) -> None:
     """To 1e-9 of the largest of each kind; the oracle starts from our start pose and follows by itself."""
     data = CASES[name]()
     compiled = compiled_from(data)
-    beyond = any(isinstance(step, Cluster) for step in compiled.structure.steps)
+    beyond = any(isinstance(step, HigherGroup) for step in compiled.structure.steps)
     assert beyond == (name not in ("cylinder", "loader", "coupler_drive"))  # those are dyads of held links
     moving = compiled.structure.topology.moving
     x0 = compiled.evaluate([row for link in moving for row in BodyPlace.all(link)], np.zeros(1))[:, 0].reshape(-1, 4)

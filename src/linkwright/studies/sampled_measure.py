@@ -143,7 +143,7 @@ class Taken:
 
     def figures(self, measure: BoundMeasure) -> dict[str, Figures]:
         """A measure's figures by label, in its range of angles."""
-        found, quantities = measure.kind.figures(Sampled(self, measure)), self.bunch.quantities
+        found, quantities = measure.kind.figures(SampledMeasure(self, measure)), self.bunch.quantities
         return {
             label: Figures(measure.wrapped(quantities, figures.values).copy(), figures.times.copy())
             for label, figures in found.items()
@@ -162,7 +162,7 @@ class Taken:
 
 
 @dataclass(frozen=True)
-class Sampled:
+class SampledMeasure:
     """One measure of a bunch of samples, as :class:`~linkwright.reductions.InSamples` has it."""
 
     taken: Taken

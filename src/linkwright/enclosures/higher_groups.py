@@ -18,7 +18,7 @@ from linkwright.enclosures.panels import Panels
 from linkwright.enclosures.program import Stage, taylor
 from linkwright.enclosures.taylor import TINY, UNITS, ZERO, TaylorModel
 from linkwright.kernels import Compiled
-from linkwright.structure import Cluster
+from linkwright.structure import HigherGroup
 
 Array = NDArray[np.float64]
 Rows = Callable[[int], TaylorModel]
@@ -29,13 +29,13 @@ REFINED = 2
 """Newton steps of the whole polynomial, where it is to have more digits than the solutions."""
 
 
-class Solved:
-    """A cluster's coordinates over panels."""
+class EnclosedGroup:
+    """A higher group's coordinates over panels."""
 
-    def __init__(self, compiled: Compiled, cluster: Cluster, dtype: Any = np.float64) -> None:
-        self.compiled, self.rows = compiled, compiled.graph.coordinates(cluster)
+    def __init__(self, compiled: Compiled, higher_group: HigherGroup, dtype: Any = np.float64) -> None:
+        self.compiled, self.rows = compiled, compiled.graph.coordinates(higher_group)
         self.n = len(self.rows)
-        closure = compiled.graph.newton(cluster).closure
+        closure = compiled.graph.newton(higher_group).closure
         self.gaps = Stage(closure, compiled.parameters, range(self.n), taylor(dtype=dtype))
         self.slopes = Stage(closure, compiled.parameters, range(self.n, self.n + self.n**2), taylor(dtype=dtype))
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.units import ANGLE
 from linkwright.measures.probe import Probe, inner
-from linkwright.reductions import Found, Grade, Kind, Measure, Peak, Unmeasured
+from linkwright.reductions import FoundFigure, Grade, Measure, Peak, ProofKind, Unmeasured
 from linkwright.results.stationary import stationary
 from linkwright.results.windows import Interval, passing
 
@@ -22,7 +22,7 @@ LEAST = 100
 
 
 @dataclass
-class Reading:
+class SignalInRun:
     """One measure in a run, as :class:`~linkwright.reductions.InRun` has it. ``probes`` gives its other expressions;
     ``settled`` until a search or a quadrature has not stood still."""
 
@@ -49,7 +49,7 @@ class Reading:
     @property
     def searched(self) -> Grade:
         """The grade of what the search gives."""
-        return Grade(Kind.SEARCHED, self.probe.search.turned.width)
+        return Grade(ProofKind.SEARCHED, self.probe.search.turned.width)
 
     def values(self, t: Array) -> Array:
         """The signal at times, SI."""
@@ -89,14 +89,14 @@ class Reading:
         quantities = self.probe.run.compiled.quantities
         return quantities.value(expression, quantities.dimensions.dimension(self.measure.signal.node))
 
-    def found(self, label: str, value: float, time: float | None = None, side: str = "") -> Found:
+    def found(self, label: str, value: float, time: float | None = None, side: str = "") -> FoundFigure:
         """A figure with the grade of the search."""
         self.settled &= self.probe.search.settled(self.probe.node)
-        return Found(label, value, time, side, self.searched)
+        return FoundFigure(label, value, time, side, self.searched)
 
-    def other(self, key: str) -> Reading:
+    def other(self, key: str) -> SignalInRun:
         """Another expression of the measure."""
-        return Reading(whole(self.probes(key)), self.measure, self.probes)
+        return SignalInRun(whole(self.probes(key)), self.measure, self.probes)
 
     def zeros(self, key: str) -> Array:
         """The times (s) at which another expression is zero, of an angle modulo whole turns."""

@@ -1,9 +1,9 @@
-"""Clusters: Assur groups of class III and higher, solved by Newton on the same closure equations as dyads.
+"""Higher groups: Assur groups of class III and higher, solved by Newton on the same closure equations as dyads.
 
-The links of a cluster form a tree: each is placed on an earlier one by a joint, which has one unknown coordinate if no
-drive holds it. The joints that are left close the loops; each gives closure equations, as many in all as there are
-coordinates. The coordinates come in as numbers or symbols, solved elsewhere. Rates and equilibrium then follow from the
-closure just as for a dyad, by linear systems with a matrix of more than two rows.
+The links of a higher group form a tree: each is placed on an earlier one by a joint, which has one unknown coordinate
+if no drive holds it. The joints that are left close the loops; each gives closure equations, as many in all as there
+are coordinates. The coordinates come in as numbers or symbols, solved elsewhere. Rates and equilibrium then follow
+from the closure just as for a dyad, by linear systems with a matrix of more than two rows.
 """
 
 from __future__ import annotations
@@ -23,15 +23,15 @@ from linkwright.graph.placing import answered, driven_body, inner_joint, outer_j
 from linkwright.groups.linear import Factor
 from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
 from linkwright.notation.jets import call
-from linkwright.structure import Cluster, Connection, Edge
+from linkwright.structure import Connection, HigherGroup, LinkPlacement
 
 if TYPE_CHECKING:
     from linkwright.graph.motion import Motion, Unknowns
 
 
 @dataclass(frozen=True)
-class SolvedCluster:
-    """A cluster at its coordinates: what the closures miss, the factored matrix of their slopes, first rates.
+class SolvedHigherGroup:
+    """A higher group at its coordinates: what the closures miss, the factored matrix of their slopes, first rates.
 
     ``fields[i]`` is the motion that a unit rate of coordinate i gives each link; ``twists`` the freedom of each
     link on its own joint.
@@ -67,11 +67,11 @@ class SolvedCluster:
         return found
 
 
-def solve_cluster(motion: Motion, step: Cluster, drives: dict[str, Jet], unknowns: Unknowns) -> None:
-    """Place a cluster's links at its coordinates with all rates."""
+def solve_higher_group(motion: Motion, step: HigherGroup, drives: dict[str, Jet], unknowns: Unknowns) -> None:
+    """Place a higher group's links at its coordinates with all rates."""
     closures = [(c, inner_joint(motion, c, c.links)) for c in step.closures]
     starts = dict(zip(step.free, unknowns(step), strict=True))
-    rates: dict[Edge, list[Scalar]] = {edge: [] for edge in step.free}
+    rates: dict[LinkPlacement, list[Scalar]] = {edge: [] for edge in step.free}
 
     def place(next_rate: list[Scalar]) -> None:
         """Place all links in order with the rates known so far."""
@@ -98,7 +98,7 @@ def solve_cluster(motion: Motion, step: Cluster, drives: dict[str, Jet], unknown
             rates[edge].append(-q)
     # Step 4: place the links once more with all rates.
     place([])
-    motion.clusters[step] = SolvedCluster(
+    motion.higher_groups[step] = SolvedHigherGroup(
         gaps, slopes, factor, [rates[edge] for edge in step.free], fields, twists, closures
     )
 
@@ -115,11 +115,11 @@ def _gap(motion: Motion, c: Connection, inner: Inner) -> Sequence[Jet]:
     return answered(c.kind, c.joint, motion.bodies, lambda bodies: inner.gap(*(bodies[link] for link in c.links)))
 
 
-def _free(motion: Motion, edge: Edge, start: Scalar, rates: Jet) -> Body:
+def _free(motion: Motion, edge: LinkPlacement, start: Scalar, rates: Jet) -> Body:
     return outer_joint(motion, edge.joint, edge.link).at(start, rates)
 
 
-def _fields(motion: Motion, step: Cluster) -> tuple[list[dict[str, Twist]], dict[str, Twist]]:
+def _fields(motion: Motion, step: HigherGroup) -> tuple[list[dict[str, Twist]], dict[str, Twist]]:
     """The motion of all links per unit rate of each coordinate; the freedom of each link on its own joint.
 
     A coordinate on a pin is the link's angle in the frame, so links pinned farther out keep theirs; links on a
@@ -162,8 +162,8 @@ def _slopes(motion: Motion, closures: Closures, fields: list[dict[str, Twist]]) 
     return rows
 
 
-def newton(motion: Motion, step: Cluster, start: list[float], drives: dict[str, Jet]) -> list[float] | None:
-    """The cluster's coordinates on plain numbers by damped Newton from a start nearby; ``None`` where it fails."""
+def newton(motion: Motion, step: HigherGroup, start: list[float], drives: dict[str, Jet]) -> list[float] | None:
+    """The higher group's coordinates on plain numbers by damped Newton from a start nearby; ``None`` where it fails."""
     # Newton needs positions only, so rates are switched off for its duration.
     here, still = list(start), motion.order
     motion.order = 0
@@ -171,7 +171,7 @@ def newton(motion: Motion, step: Cluster, start: list[float], drives: dict[str, 
         last = _miss(motion, step, here, drives)
         tiny = TINY * max(1.0, *(abs(float(q)) for body in motion.bodies.values() for q in body.anchor.now))
         for _ in range(40):
-            solved = motion.clusters[step]
+            solved = motion.higher_groups[step]
             # Full Newton step, then halve it until the closure error falls enough (Armijo's rule).
             steps = solved.factor.solve(solved.gaps)
             damping = 1.0
@@ -198,13 +198,13 @@ TINY = 1e-13
 """A closure (m, rad) below this is closed; of large mechanisms, below this share of their places."""
 
 
-def _miss(motion: Motion, step: Cluster, unknowns: list[float], drives: dict[str, Jet]) -> float:
-    solve_cluster(motion, step, drives, lambda _: unknowns)
-    return math.sqrt(sum(float(gap) ** 2 for gap in motion.clusters[step].gaps))
+def _miss(motion: Motion, step: HigherGroup, unknowns: list[float], drives: dict[str, Jet]) -> float:
+    solve_higher_group(motion, step, drives, lambda _: unknowns)
+    return math.sqrt(sum(float(gap) ** 2 for gap in motion.higher_groups[step].gaps))
 
 
-def assemble_cluster(
-    motion: Motion, step: Cluster, sketch: dict[str, Pair], drives: dict[str, Jet]
+def assemble_higher_group(
+    motion: Motion, step: HigherGroup, sketch: dict[str, Pair], drives: dict[str, Jet]
 ) -> list[float] | None:
     """The coordinates at the start pose, by Newton from the sketched places of the links' points.
 
@@ -219,14 +219,14 @@ def assemble_cluster(
             if away < 1e-3 * _reach(sketch):
                 break
     if best is not None:
-        solve_cluster(motion, step, drives, lambda _: best[1])
+        solve_higher_group(motion, step, drives, lambda _: best[1])
     return best[1] if best else None
 
 
 def drawn_phases(
-    motion: Motion, step: Cluster, sketch: dict[str, Pair], drives: dict[str, Jet]
+    motion: Motion, step: HigherGroup, sketch: dict[str, Pair], drives: dict[str, Jet]
 ) -> dict[str, tuple[float, ...]]:
-    """What the closures of a cluster fix once for all, by joint, in the pose that the sketch shows."""
+    """What the closures of a higher group fix once for all, by joint, in the pose that the sketch shows."""
     phased = [c for c in step.closures if c.kind.phased]
     if not phased:
         return {}
@@ -240,9 +240,9 @@ SAME = 1e-6
 """Coordinates (rad, or over the mechanism's size) that differ by less are the same."""
 
 
-def only_coordinates(motion: Motion, step: Cluster, drives: dict[str, Jet]) -> list[float] | None:
-    """The coordinate at the start pose of a cluster that has one only, where no sketch is needed to choose it: Newton
-    from all round always leads to the same. ``None`` where there are several, or none."""
+def only_coordinates(motion: Motion, step: HigherGroup, drives: dict[str, Jet]) -> list[float] | None:
+    """The coordinate at the start pose of a higher group that has one only, where no sketch is needed to choose it:
+    Newton from all round always leads to the same. ``None`` where there are several, or none."""
     if len(step.free) > 1:
         return None
     size = extent(motion.structure.topology, motion.geometry)
@@ -256,7 +256,7 @@ def only_coordinates(motion: Motion, step: Cluster, drives: dict[str, Jet]) -> l
                 found.append(solved[0])
     if len(found) != 1:
         return None
-    solve_cluster(motion, step, drives, lambda _: found)
+    solve_higher_group(motion, step, drives, lambda _: found)
     return found
 
 
@@ -264,7 +264,7 @@ TRIES = 64
 
 
 def _starts(
-    motion: Motion, step: Cluster, sketch: dict[str, Pair], drives: dict[str, Jet], reach: float
+    motion: Motion, step: HigherGroup, sketch: dict[str, Pair], drives: dict[str, Jet], reach: float
 ) -> Iterator[list[float]]:
     """Starts for Newton: what the sketch tells, and for the rest every 45 degrees or travels of some ``reach`` (m)."""
     options: list[list[float]] = []
@@ -284,7 +284,9 @@ def _starts(
         yield list(start)
 
 
-def _told(motion: Motion, step: Cluster, edge: Edge, sketch: dict[str, Pair], drives: dict[str, Jet]) -> float | None:
+def _told(
+    motion: Motion, step: HigherGroup, edge: LinkPlacement, sketch: dict[str, Pair], drives: dict[str, Jet]
+) -> float | None:
     """The coordinate that brings the link's points, and those of links that a drive holds on it, nearest to
     their sketched places; ``None`` where there is none to go by."""
     outer = outer_joint(motion, edge.joint, edge.link)
@@ -304,8 +306,8 @@ def _told(motion: Motion, step: Cluster, edge: Edge, sketch: dict[str, Pair], dr
     return outer.nearest(places)
 
 
-def _away(motion: Motion, step: Cluster, sketch: dict[str, Pair]) -> float:
-    """How far the cluster's points are from their sketched places (m, root of the sum of squares)."""
+def _away(motion: Motion, step: HigherGroup, sketch: dict[str, Pair]) -> float:
+    """How far the higher group's points are from their sketched places (m, root of the sum of squares)."""
     links = motion.geometry.mechanism.links
     errors = [
         motion.bodies[link].point(motion.point(link, name)).now.minus(sketch[name])
