@@ -89,12 +89,16 @@ class Finding:
     @property
     def what(self) -> str:
         """What is wrong and why, in a sentence."""
-        return _say(f"{self.code}.what", self.data)
+        return str(self.said("what"))
 
     @property
     def mend(self) -> str:
         """How to mend it."""
-        return _say(f"{self.code}.mend", self.data)
+        return str(self.said("mend"))
+
+    def said(self, part: str) -> Said:
+        """Its ``what`` or ``mend``, in the language in which it is shown."""
+        return Said(f"{self.code}.{part}", **self.data)
 
     def located(self, line: int | None) -> Finding:
         """The same finding with its line."""

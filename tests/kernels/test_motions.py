@@ -87,9 +87,9 @@ def test_a_formula_is_told_as_text() -> None:
 
 
 def test_check_says_what_jumps() -> None:
-    said = {fact["name"]: fact["sentence"] for fact in facts(compiled("swing(w*t)"))}["Motion laws"]
+    said = {str(fact["name"]): str(fact["sentence"]) for fact in facts(compiled("swing(w*t)"))}["Motion laws"]
     assert said.startswith("swing: the jerk jumps at 0 deg by 0.001143")
     assert "velocity -0.266667 to 0.234614 deg/deg" in said
     smooth = [{"rise": 12, "over": 180, "law": "poly_56789"}, {"fall": 12, "over": 180, "law": "poly_56789"}]
-    said = {fact["name"]: fact["sentence"] for fact in facts(compiled("swing(w*t)", smooth))}["Motion laws"]
+    said = {str(fact["name"]): str(fact["sentence"]) for fact in facts(compiled("swing(w*t)", smooth))}["Motion laws"]
     assert said.startswith("swing: continuous up to and including jerk; velocity")

@@ -205,7 +205,7 @@ def test_the_end_of_a_uniform_part_takes_no_other_s_name() -> None:
 def test_points_that_the_file_doesn_t_have_aren_t_called_free() -> None:
     """A uniform rod's far end is made up for its inertia."""
     data = boom(cylinders={"lift": {"from": "K", "to": "M", "rod": {"mass": 3, "com": 0.4}}})
-    said = {fact["name"]: fact["sentence"] for fact in facts(compiled_from(data))}
+    said = {str(fact["name"]): str(fact["sentence"]) for fact in facts(compiled_from(data))}
     assert said[say("fact.lone")] == say("fact.lone.text", points="tip")
 
 

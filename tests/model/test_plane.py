@@ -114,7 +114,7 @@ def test_points_behind_each_other_only_need_the_plane_stated() -> None:
     assert compiled.plane is not None
     off = {name: -1000 * value for name, value in compiled.plane.deviations.items()}  # the normal is -y
     assert {name: round(value + 30, 9) for name, value in off.items()} == {"A": 0, "B": 40, "C": 60, "D": 20, "P": -900}
-    said = {fact["name"]: fact["sentence"] for fact in facts(compiled)}["Plane"]
+    said = {str(fact["name"]): str(fact["sentence"]) for fact in facts(compiled)}["Plane"]
     assert "normal (joint axis, about which angles are positive) (0, -1, 0)" in said
     assert "A 30" in said
 

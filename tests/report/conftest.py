@@ -9,7 +9,6 @@ import pytest
 
 from linkwright.presentation.blocks import Check, Checks, Measure, Measures, MeasureValue, Section
 from linkwright.report import LinkData, Plot, ReportData, Scene
-from linkwright.words.en.report import TEXTS
 
 AB, BC, CD, DE, AD, AH = 155.0, 395.0, 300.0, 500.0, 300.0, 580.0  # mm
 PERIOD = 1.5  # s
@@ -178,7 +177,6 @@ def report(feeder: Feeder) -> ReportData:
         "source": "Source: Tang, Deng, Xin <2022>",
         "origin": "Model file model.yaml (SHA-256 0123456789ab), 2026-01-01T12:00:00+00:00, linkwright 0.1.0",
         "version": "0.1.0",
-        "words": dict(TEXTS),
         "time": {"values": feeder.t.tolist(), "unit": "s", "label": "time"},
         "scene": scene_of(feeder),
         "plots": plots_of(feeder),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Callable
 from dataclasses import is_dataclass, replace
 from html.parser import HTMLParser
 from typing import Any
@@ -14,7 +15,8 @@ import pytest
 from linkwright.presentation.blocks import Checks, Measures, Section
 from linkwright.report import ReportData, compact, page
 from linkwright.report.page import SCRIPT_WORDS
-from linkwright.report.payload import script_json
+from linkwright.presentation.payload import script_json
+from linkwright.words import catalogue
 from linkwright.words.en.report import TEXTS
 
 HOSTILE = "</script><img src=x>&\"'"
@@ -53,7 +55,7 @@ def test_page_is_self_contained(report: ReportData) -> None:
     html = page(report)
     parsed = Page(html)
     loads = [value for _, attrs in parsed.tags for key, value in attrs.items() if key in ("src", "href")]
-    assert [value for value in loads if not value.startswith(("#", "data:"))] == []
+    assert [value for value in loads if not value.startswith(("#", "data:", "?lang="))] == []
     assert "@import" not in html
     assert "url(" not in html
     policy = next(a["content"] for t, a in parsed.tags if t == "meta" and "http-equiv" in a)
@@ -63,7 +65,7 @@ def test_page_is_self_contained(report: ReportData) -> None:
 
 def test_scripts_stay_whole(report: ReportData) -> None:
     html = page(report)
-    assert html.count("</script") == html.count("<script") == 3
+    assert html.count("</script") == html.count("<script") == 5
     assert "The MIT License" in html  # the plots' library travels with its licence
 
 
@@ -78,7 +80,9 @@ def test_payload_is_what_was_given(report: ReportData) -> None:
     data = json.loads(Page(page(report)).payload)
     assert data["scene"] == json.loads(json.dumps(compact(report["scene"])))
     assert data["plots"][0]["series"][0]["values"] == pytest.approx(report["plots"][0]["series"][0]["values"], rel=1e-6)
-    assert set(data["words"]) == set(SCRIPT_WORDS)
+    words = json.loads(page(report).split('id="languages">')[1].split("</script")[0])["words"]
+    assert set(words["texts"]) == set(SCRIPT_WORDS)
+    assert words["titles"] == [plot["title"] for plot in report["plots"]]
 
 
 def hostile(value: Any) -> Any:
@@ -93,11 +97,22 @@ def hostile(value: Any) -> Any:
     return replace(value, **{key: hostile(each) for key, each in vars(value).items() if each and key not in kept})
 
 
-def test_hostile_names_are_text_everywhere(report: ReportData) -> None:
+@pytest.fixture
+def said(monkeypatch: pytest.MonkeyPatch) -> Callable[[str], None]:
+    """Has all texts of the page's frame say this."""
+
+    def all_say(text: str) -> None:
+        for key in (*TEXTS, "language.name", "language.choice"):
+            monkeypatch.setitem(catalogue("en"), key, text)
+
+    return all_say
+
+
+def test_hostile_names_are_text_everywhere(report: ReportData, said: Callable[[str], None]) -> None:
     clean = [tag for tag, _ in Page(page(report)).tags]
     for key in ("title", "subtitle", "source", "origin", "version", "model_text"):
         report[key] = HOSTILE
-    report["words"] = dict.fromkeys(TEXTS, HOSTILE)
+    said(HOSTILE)
     report["sections"] = [hostile(section) for section in report["sections"]]
     for fact in report["structure"]:
         fact.update(name=HOSTILE, sentence=HOSTILE)
@@ -138,17 +153,17 @@ def test_empty_parts_leave_no_headings(report: ReportData) -> None:
         assert f'href="#{word}"' not in html
 
 
-def test_every_word_comes_from_the_catalogue(report: ReportData) -> None:
+def test_every_word_comes_from_the_catalogue(report: ReportData, said: Callable[[str], None]) -> None:
     """With every word marked, no letter outside the marks is left but those of the data."""
     report.update(title="1", subtitle="2", source="6", version="3", model_text="4", origin="5", plots=[], structure=[])
     report.update(sections=[], notes=[], failures=[])
-    report["words"] = dict.fromkeys(TEXTS, "#")
+    said("#")
     body = page(report).split("<body>")[1].split("<script")[0]
     assert re.findall(r"[A-Za-z]+", re.sub(r"<[^>]*>", "", body)) == []
 
 
-def test_missing_word_is_loud(report: ReportData) -> None:
-    report["words"] = {key: text for key, text in TEXTS.items() if key != "report.play"}
+def test_missing_word_is_loud(report: ReportData, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delitem(catalogue("en"), "report.play")
     with pytest.raises(KeyError, match=r"report\.play"):
         page(report)
 

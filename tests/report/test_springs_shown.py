@@ -20,7 +20,7 @@ def test_springs_are_drawn_plotted_and_named() -> None:
     assert (shock["links"], shock["points"]) == (("frame", "rocker"), ("A", "E"))
     shown = {series["name"] for plot in data["plots"] for series in plot["series"]}
     assert {"pull.length", "lift.force", "shock.force", "hold.torque", "wound.torque"} <= shown
-    said = {fact["name"]: fact["sentence"] for fact in data["structure"]}
+    said = {str(fact["name"]): str(fact["sentence"]) for fact in data["structure"]}
     assert said["Counterweights"] == "cw on crank; cp on coupler"
     springs = dict(text.split(" ", 1) for text in said["Springs"].split("; "))
     pull = job.cycle.result["pull.force"][0]  # in tension

@@ -28,8 +28,11 @@ from linkwright.cli.execution import (
     options,
     writable,
 )
+from linkwright.cli.language import install, of_process
 from linkwright.cli.streams import failed, interrupted, misused, prepare, read_or_not
-from linkwright.cli.usage import CommandGroup, option
+from linkwright.cli.usage import CommandGroup, Option, option
+from linkwright.cli.wrapping import WideFormatter
+from linkwright.words import in_language
 
 if TYPE_CHECKING:
     from linkwright.app import Examined
@@ -61,8 +64,11 @@ class Commands(CommandGroup):
             sys.exit(2)
 
 
+click.Context.formatter_class = WideFormatter
+
+
 @click.group(cls=Commands, help="cli.help", context_settings={"help_option_names": ["-h", "--help"]})
-@click.version_option(__version__, prog_name="linkwright")
+@click.version_option(__version__, prog_name="linkwright", cls=Option, help="cli.version")
 def cli() -> None:
     """The group of commands."""
 
@@ -198,16 +204,18 @@ def main() -> None:
     """The command line as a process: a user's mistake is a message, an interrupt says so, and so does a system that
     refuses something."""
     prepare()
+    install()
     code: Any = 0
-    try:
-        code = _performed()
-        with read_or_not():
-            pass
-    except BrokenPipeError:
-        with read_or_not():
-            raise
-    except OSError as error:
-        code = failed(error)
+    with in_language(of_process()):
+        try:
+            code = _performed()
+            with read_or_not():
+                pass
+        except BrokenPipeError:
+            with read_or_not():
+                raise
+        except OSError as error:
+            code = failed(error)
     sys.exit(code)
 
 

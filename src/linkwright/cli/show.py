@@ -22,7 +22,7 @@ from linkwright.escape import json_text, line
 from linkwright.findings import Finding
 from linkwright.report.structure_summary import facts
 from linkwright.studies.registry import STUDIES
-from linkwright.words import say
+from linkwright.words import in_language, say
 
 if TYPE_CHECKING:
     from linkwright.cli.execution import Telling
@@ -84,13 +84,17 @@ def structure(examined: Examined) -> None:
     table.add_column(style="bold", no_wrap=True)
     table.add_column(overflow="fold")
     for fact in facts(examined.compiled):
-        table.add_row(escape(fact["name"]), escape(fact["sentence"]))
+        table.add_row(escape(str(fact["name"])), escape(str(fact["sentence"])))
     out.print(table)
 
 
 def check_data(examined: Examined) -> dict[str, Any]:
     """What `check --json` prints."""
-    known = {} if examined.compiled is None else {f["name"]: f["sentence"] for f in facts(examined.compiled)}
+    known = {}
+    for fact in [] if examined.compiled is None else facts(examined.compiled):
+        with in_language("en"):  # a key, which stays
+            name = str(fact["name"])
+        known[name] = str(fact["sentence"])
     return {
         "ok": examined.exit_code == 0,
         "structure": known,

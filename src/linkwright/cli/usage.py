@@ -8,7 +8,8 @@ from typing import Any
 
 import click
 
-from linkwright.words import say
+from linkwright.cli.language import speak
+from linkwright.words import LANGUAGES, say
 
 
 class Helped:
@@ -34,7 +35,22 @@ option = partial(click.option, cls=Option)
 """Declares an option; ``help`` is a key of the catalogue."""
 
 
-class Hinted(Helped, click.Command):
+LANGUAGE = Option(
+    ["--lang"], type=click.Choice(LANGUAGES), expose_value=False, is_eager=True, callback=speak, help="cli.lang"
+)
+"""Of every command: the language of what it shows and writes."""
+
+
+class Spoken(Helped, click.Command):
+    """What all commands have in common."""
+
+    def get_params(self, ctx: click.Context) -> list[click.Parameter]:
+        """Its arguments and options, the language before ``--help``."""
+        *own, help_option = super().get_params(ctx)
+        return [*own, LANGUAGE, help_option]
+
+
+class Hinted(Spoken):
     """A command that names the option that may be meant."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
@@ -50,7 +66,7 @@ class Hinted(Helped, click.Command):
             raise click.UsageError(text, ctx) from None
 
 
-class CommandGroup(Helped, click.Group):
+class CommandGroup(Spoken, click.Group):
     """Commands of which one that isn't there is told with those that may be meant."""
 
     command_class = Hinted

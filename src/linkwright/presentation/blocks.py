@@ -13,6 +13,7 @@ from typing import Any
 
 from linkwright.findings import Said, Text
 from linkwright.presentation.cells import Cell, NumberCell
+from linkwright.words import language
 
 
 @dataclass(frozen=True)
@@ -66,9 +67,15 @@ class Chart:
     step: tuple[int, ...] = ()
 
     @cached_property
+    def _drawings(self) -> dict[str, str]:
+        return {}
+
+    @property
     def drawing(self) -> str:
-        """The SVG."""
-        return self.draw()
+        """The SVG, in the language of the moment."""
+        if language() not in self._drawings:
+            self._drawings[language()] = self.draw()
+        return self._drawings[language()]
 
 
 @dataclass(frozen=True)

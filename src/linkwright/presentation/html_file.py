@@ -2,22 +2,38 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from importlib.resources import files
+from typing import Any
 
 from linkwright import _version
 from linkwright.escape import markup
-from linkwright.words import language
+from linkwright.presentation.languages import in_all_languages
+from linkwright.words import say
 
 # The browser itself is told to load nothing, so that the file stays self-contained whatever is put into it.
 POLICY = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:"
 
 
-def html_file(title: str, body: str, *, style: str = "", before: str = "", kind: str = "") -> str:
-    """The text of an HTML file (UTF-8) with the style of all pages. ``title`` is plain text, ``body`` markup; ``style``
-    stands after the common one, ``before`` before it; ``kind`` is the body's class."""
+def html_file(
+    title: object,
+    body: Callable[[], str],
+    *,
+    scripts: str = "",
+    words: Callable[[], Any] = dict,
+    style: str = "",
+    before: str = "",
+    kind: str = "",
+) -> str:
+    """The text of an HTML file (UTF-8) with the style of all pages, in all languages, the present one first.
+
+    ``title`` becomes plain text and ``body`` gives markup in the language of the moment; ``scripts`` is markup that
+    follows, and finds ``words`` as ``linkwrightWords``. ``style`` stands after the common one, ``before`` before it;
+    ``kind`` is the body's class.
+    """
     of_kind = f' class="{kind}"' if kind else ""
     return f"""<!DOCTYPE html>
-<html lang="{language()}">
+<html lang="{say("language.tag")}">
 <head>
 <meta charset="utf-8">
 <meta http-equiv="Content-Security-Policy" content="{POLICY}">
@@ -31,7 +47,8 @@ def html_file(title: str, body: str, *, style: str = "", before: str = "", kind:
 </style>
 </head>
 <body{of_kind}>
-{body}
+{in_all_languages(title, body, words)}
+{scripts}
 </body>
 </html>
 """

@@ -1,5 +1,6 @@
 """The HTML report: one self-contained file with the animated drawing, plots, measures and certificate."""
 
+from linkwright.presentation.payload import compact
 from linkwright.report.data import (
     Fact,
     Failure,
@@ -14,7 +15,6 @@ from linkwright.report.data import (
     Trace,
 )
 from linkwright.report.page import page
-from linkwright.report.payload import compact
 
 __all__ = [
     "Fact",

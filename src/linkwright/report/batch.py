@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 from urllib.parse import quote
 
 from linkwright import _version
 from linkwright.escape import markup
+from linkwright.findings import Said
 from linkwright.model.origin import Origin
 from linkwright.presentation.html_file import html_file
 from linkwright.words import say
@@ -26,18 +28,22 @@ class BatchRow:
 
 def batch_page(file: str, target: str, heads: Sequence[str], rows: Sequence[BatchRow], origin: Origin) -> str:
     """The page as the text of an HTML file (UTF-8); it links to files named ``NAME_FILE`` beside it."""
-    title = say("batch.page.title", file=file, target=target)
+    return html_file(
+        Said("batch.page.title", file=file, target=target), partial(_body, file, target, heads, rows, origin)
+    )
+
+
+def _body(file: str, target: str, heads: Sequence[str], rows: Sequence[BatchRow], origin: Origin) -> str:
     columns = [
         say("batch.page.name"), say("batch.page.model"), *heads, say("batch.page.result"), say("batch.page.files"),
     ]  # fmt: skip
     head = "".join(f"<th>{markup(column)}</th>" for column in columns)
     body = "".join(_row(row, columns) for row in rows)
+    title, subtitle = say("batch.page.title", file=file, target=target), say("batch.page.subtitle", count=len(rows))
     footer = say("batch.page.footer", version=_version.__version__, file=file, sha256=origin.short, date=origin.date)
-    subtitle = say("batch.page.subtitle", count=len(rows))
-    page = f"""<header><h1>{markup(title)}</h1><p class="subtitle">{markup(subtitle)}</p></header>
+    return f"""<header><h1>{markup(title)}</h1><p class="subtitle">{markup(subtitle)}</p></header>
 <main class="batch"><table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></main>
 <footer>{markup(footer)}</footer>"""
-    return html_file(title, page)
 
 
 def _row(row: BatchRow, columns: Sequence[str]) -> str:

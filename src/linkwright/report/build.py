@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from linkwright.elements.force import FORCES, SignalChart
 from linkwright.escape import printed
 from linkwright.expressions.units import LENGTH, TIME, Dimension
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Said, Text
 from linkwright.model.document import Document, dump
 from linkwright.model.origin import Origin, hashed
 from linkwright.presentation.json_numbers import listed
@@ -37,7 +37,6 @@ from linkwright.results import Result
 from linkwright.structure import FRAME
 from linkwright.studies.drive_sweep import Sweep
 from linkwright.studies.registry import Outcomes
-from linkwright.words import catalogue, say
 
 Array = NDArray[np.float64]
 
@@ -64,14 +63,12 @@ def report_data(
     assert whole is not None
     result = whole.thinned(MAX_STEPS)
     findings = [*examined, *found(outcomes)]
-    words = {key: text for key, text in catalogue().items() if key.startswith("report.")}
     data: ReportData = {
         "title": document.title,
         "subtitle": document.note or "",
-        "source": say("report.source", source=document.source) if document.source else "",
+        "source": Said("report.source", source=document.source) if document.source else "",
         "origin": origin_text(origin),
         "version": origin.version,
-        "words": words,
         "time": axis(result),
         "scene": scene(result),
         "plots": plots(result) if result.t[-1] > result.t[0] else [],
@@ -82,14 +79,14 @@ def report_data(
         "model_text": dump(document),
     }
     if areas := [area for one in shown for area in one.areas]:
-        data["scene"]["areas"] = [{"name": str(area.name), "rings": area.rings} for area in areas]
+        data["scene"]["areas"] = [{"name": area.name, "rings": area.rings} for area in areas]
     return data
 
 
-def origin_text(origin: Origin) -> str:
+def origin_text(origin: Origin) -> Text:
     """Where the results come from, in a sentence."""
     data = {"sha256": origin.short, "date": origin.date, "version": origin.version}
-    return say("report.origin", file=origin.file, **data) if origin.file else say("report.origin.python", **data)
+    return Said("report.origin", file=origin.file, **data) if origin.file else Said("report.origin.python", **data)
 
 
 def axis(result: Result) -> Time:
@@ -99,11 +96,11 @@ def axis(result: Result) -> Time:
         unit, size = quantities.drive_unit(run.drive)
         return {"values": ((run.origin + result.t) / size).tolist(), "unit": unit, "label": run.drive}
     unit, size = quantities.unit_of(TIME)
-    return {"values": (result.t / size).tolist(), "unit": unit, "label": say("plot.time")}
+    return {"values": (result.t / size).tolist(), "unit": unit, "label": Said("plot.time")}
 
 
 def _failure(finding: Finding) -> Failure:
-    return {"code": finding.code, "what": finding.what, "mend": finding.mend}
+    return {"code": finding.code, "what": finding.said("what"), "mend": finding.said("mend")}
 
 
 def scene(result: Result) -> Scene:
@@ -194,12 +191,12 @@ def plots(result: Result) -> list[Plot]:
     for point in _moving_points(result):
         for title, axes in _RATES[: 1 if sweep else None]:
             names = [f"{point}.{axes}{axis}" for axis in "xy"]
-            found.append(_plot(result, say(f"plot.{title}", name=point), "motion", names))
+            found.append(_plot(result, Said(f"plot.{title}", name=point), "motion", names))
     for attribute in ("angle", "omega", "alpha")[: 1 if sweep else None]:
         names = [f"{link}.{attribute}" for link in links]
-        found.append(_plot(result, say(f"plot.{attribute}"), "motion", names))
+        found.append(_plot(result, Said(f"plot.{attribute}"), "motion", names))
     sliding = [name for name, joint in m.joints_but_pins() if joint.prismatic or "s" in joint.signals]
-    found += [_plot(result, say("plot.slide", name=n), "motion", [f"{n}.s"]) for n in sliding]
+    found += [_plot(result, Said("plot.slide", name=n), "motion", [f"{n}.s"]) for n in sliding]
     if not sweep:
         found += _force_plots(result)
     return [plot for plot in found if plot is not None]
@@ -212,30 +209,30 @@ def _force_plots(result: Result) -> list[Plot | None]:
         name = f"force({contact.link}, {contact.on})"
         if f"{name}.x" not in result.names:
             name = f"force({contact.link}, {contact.on}, {contact.joint})"
-        title = say("plot.force", a=contact.link, b=contact.on)
+        title = Said("plot.force", a=contact.link, b=contact.on)
         found.append(_plot(result, title, "force", [f"{name}.x", f"{name}.y"]))
         if f"{name}.moment" in result.names:
-            title = say("plot.moment", a=contact.link, b=contact.on)
+            title = Said("plot.moment", a=contact.link, b=contact.on)
             found.append(_plot(result, title, "force", [f"{name}.moment"]))
     motors = result.run.compiled.graph.motors
     turning = [name for name in motors if m.drives[name].turns]
     sliding = [name for name in motors if name not in turning]
-    found.append(_plot(result, say("plot.torque"), "force", [f"{n}.torque" for n in turning]))
-    found.append(_plot(result, say("plot.effort"), "force", [f"{n}.force" for n in sliding]))
+    found.append(_plot(result, Said("plot.torque"), "force", [f"{n}.torque" for n in turning]))
+    found.append(_plot(result, Said("plot.effort"), "force", [f"{n}.force" for n in sliding]))
     found += _follower_charts(result)
     found += _charts(result)
-    found.append(_plot(result, say("plot.power"), "force", [f"{n}.power" for n in motors]))
-    found.append(_plot(result, say("plot.shaking"), "force", ["shaking.x", "shaking.y"]))
-    found.append(_plot(result, say("plot.shaking_moment"), "force", ["shaking.moment"]))
+    found.append(_plot(result, Said("plot.power"), "force", [f"{n}.power" for n in motors]))
+    found.append(_plot(result, Said("plot.shaking"), "force", ["shaking.x", "shaking.y"]))
+    found.append(_plot(result, Said("plot.shaking_moment"), "force", ["shaking.moment"]))
     return found
 
 
 def _follower_charts(result: Result) -> list[Plot | None]:
     """The charts of followers, as the kinds have them: one of all signals that share a title and a dimension."""
-    shown: dict[tuple[str, Literal["motion", "force"], Dimension], list[str]] = {}
+    shown: dict[tuple[Said, Literal["motion", "force"], Dimension], list[str]] = {}
     for name, follower in result.run.compiled.mechanism.followers.items():
         for chart in follower.charts:
-            title = say(f"plot.{chart.title}", attribute=chart.attribute)
+            title = Said(f"plot.{chart.title}", attribute=chart.attribute)
             key = (title, chart.group, follower.signals[chart.attribute])
             shown.setdefault(key, []).append(f"{name}.{chart.attribute}")
     return [_plot(result, title, group, names) for (title, group, _), names in shown.items()]
@@ -248,10 +245,10 @@ def _charts(result: Result) -> list[Plot | None]:
         for chart in one.kind.charts:
             if chart.attribute in one.kind.signals(one.entry):
                 shown[chart].append(f"{one.name}.{chart.attribute}")
-    return [_plot(result, say(f"plot.{chart.title}"), chart.group, names) for chart, names in shown.items()]
+    return [_plot(result, Said(f"plot.{chart.title}"), chart.group, names) for chart, names in shown.items()]
 
 
-def _plot(result: Result, title: str, group: Literal["motion", "force"], names: Sequence[str]) -> Plot | None:
+def _plot(result: Result, title: Said, group: Literal["motion", "force"], names: Sequence[str]) -> Plot | None:
     """A plot of some signals of one unit; ``None`` where all of them stay zero."""
     shown = [(name, *result.shown(name)) for name in names]
     if not any(_largest(values) > 0 for _, values, _ in shown):

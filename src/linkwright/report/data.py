@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Literal, NotRequired, TypedDict
 
+from linkwright.findings import Text
 from linkwright.presentation.blocks import Section
 
 Values = Sequence[float | None]
@@ -19,7 +20,7 @@ class Time(TypedDict):
 
     values: Sequence[float]
     unit: str
-    label: str
+    label: Text
 
 
 class Pose(TypedDict):
@@ -95,7 +96,7 @@ class SpringData(TypedDict):
 class AreaData(TypedDict):
     """What lies behind the mechanism: a shape by its rings of places [x, y], holes among them, in the length unit."""
 
-    name: str
+    name: Text
     rings: Sequence[Sequence[Sequence[float]]]
 
 
@@ -122,7 +123,7 @@ class Series(TypedDict):
 class Plot(TypedDict):
     """Curves of one unit against time. ``group`` is its heading; ``unit`` is as printed, mm/s²."""
 
-    title: str
+    title: Text
     group: Literal["motion", "force"]
     unit: str
     series: Sequence[Series]
@@ -131,29 +132,27 @@ class Plot(TypedDict):
 class Fact(TypedDict):
     """One line about the structure."""
 
-    name: str
-    sentence: str
+    name: Text
+    sentence: Text
 
 
 class Failure(TypedDict):
     """A coded finding: what is wrong and what mends it."""
 
     code: str
-    what: str
-    mend: str
+    what: Text
+    mend: Text
 
 
 class ReportData(TypedDict):
     """Everything on the page. Sentences: ``source``, what the mechanism is taken from; ``origin``, model file, hash,
-    date and version. ``sections``: what the studies show; ``words``: the texts of the
-    catalogue, in ``language``."""
+    date and version. ``sections``: what the studies show."""
 
     title: str
     subtitle: str
-    source: str
-    origin: str
+    source: Text
+    origin: Text
     version: str
-    words: Mapping[str, str]
     time: Time
     scene: Scene
     plots: Sequence[Plot]

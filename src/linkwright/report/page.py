@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+from functools import partial
 
 from linkwright.presentation.html_file import asset, html_file
+from linkwright.presentation.payload import script_json
 from linkwright.report import sections
 from linkwright.report.data import ReportData
 from linkwright.report.html_blocks import section
-from linkwright.report.payload import script_json
+from linkwright.words import say
 
 SCRIPT_WORDS = (
     "report.areas",
@@ -29,15 +31,28 @@ SCRIPT_WORDS = (
 
 def page(data: ReportData) -> str:
     """The whole report as the text of an HTML file (UTF-8)."""
-    payload = script_json(
-        {
-            "words": {key: data["words"][key] for key in SCRIPT_WORDS},
-            "time": data["time"],
-            "scene": data["scene"],
-            "plots": data["plots"],
-        }
-    )
-    body = "\n".join(
+    payload = script_json({"time": data["time"], "scene": data["scene"], "plots": data["plots"]})
+    scripts = f"""<script type="application/json" id="data">{payload}</script>
+<script>
+/*! uPlot
+{asset(__package__, "LICENSE.uplot.txt").strip()}
+*/
+{asset(__package__, "uplot.iife.min.js")}
+</script>
+<script type="module">
+const mechanism = (() => {{
+{_inlined(asset(__package__, "mechanism.js"))}
+return {{ render, still }};
+}})();
+{asset(__package__, "report.js")}
+{asset(__package__, "stacks.js")}
+</script>"""
+    before = asset(__package__, "uplot.min.css") + "\n"
+    return html_file(data["title"], partial(_body, data), scripts=scripts, words=partial(_words, data), before=before)
+
+
+def _body(data: ReportData) -> str:
+    return "\n".join(
         [
             sections.header(data),
             sections.failures(data),
@@ -54,22 +69,16 @@ def page(data: ReportData) -> str:
             sections.footer(data),
         ]
     )
-    scripts = f"""<script type="application/json" id="data">{payload}</script>
-<script>
-/*! uPlot
-{asset(__package__, "LICENSE.uplot.txt").strip()}
-*/
-{asset(__package__, "uplot.iife.min.js")}
-</script>
-<script type="module">
-const mechanism = (() => {{
-{_inlined(asset(__package__, "mechanism.js"))}
-return {{ render, still }};
-}})();
-{asset(__package__, "report.js")}
-{asset(__package__, "stacks.js")}
-</script>"""
-    return html_file(data["title"], f"{body}\n{scripts}", before=asset(__package__, "uplot.min.css") + "\n")
+
+
+def _words(data: ReportData) -> dict[str, object]:
+    """The words that the page's scripts read: texts by their keys, and what they show of the data in words."""
+    return {
+        "texts": {key: say(key) for key in SCRIPT_WORDS},
+        "time": str(data["time"]["label"]),
+        "titles": [str(plot["title"]) for plot in data["plots"]],
+        "areas": [str(area["name"]) for area in data["scene"].get("areas", ())],
+    }
 
 
 def _inlined(module: str) -> str:

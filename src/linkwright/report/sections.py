@@ -5,26 +5,27 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from linkwright.escape import markup
+from linkwright.findings import Text
 from linkwright.presentation.blocks import Check, Checks, Measure, Measures
 from linkwright.report.data import Failure, Plot, ReportData
 from linkwright.report.html_blocks import mark
+from linkwright.words import say
 
 GROUPS = ("motion", "force")
 
 
 def header(data: ReportData) -> str:
     """Title, subtitle and the state of affairs at a glance."""
-    words = data["words"]
     required = [m.verdict for m in measures(data) if m.verdict is not None]
     checks = [check.ok for check in checks_of(data)]
     badges = []
     if data["failures"]:
-        badges.append(mark(False, words["report.summary_failures"].format(count=len(data["failures"]))))
+        badges.append(mark(False, say("report.summary_failures", count=len(data["failures"]))))
     if required:
-        text = words["report.summary_requirements"].format(met=sum(required), total=len(required))
+        text = say("report.summary_requirements", met=sum(required), total=len(required))
         badges.append(mark(all(required), text))
     if checks:
-        text = words["report.summary_checks"].format(ok=sum(checks), total=len(checks))
+        text = say("report.summary_checks", ok=sum(checks), total=len(checks))
         badges.append(mark(all(checks), text))
     subtitle = f'<p class="subtitle">{markup(data["subtitle"])}</p>' if data["subtitle"] else ""
     source = f'<p class="source">{markup(data["source"])}</p>' if data["source"] else ""
@@ -49,9 +50,8 @@ def _contents(data: ReportData) -> str:
     parts = [("mechanism", True), *((part.name, part.shown) for part in data["sections"])]
     parts += [(group, any(plot["group"] == group for plot in data["plots"])) for group in GROUPS]
     parts += [("structure", bool(data["structure"])), ("model", bool(data["model_text"]))]
-    words = data["words"]
-    links = (f'<a href="#{name}">{markup(words[f"report.{name}"])}</a>' for name, here in parts if here)
-    return f'<nav aria-label="{markup(words["report.contents"])}">{"".join(links)}</nav>'
+    links = (f'<a href="#{name}">{markup(say(f"report.{name}"))}</a>' for name, here in parts if here)
+    return f'<nav aria-label="{markup(say("report.contents"))}">{"".join(links)}</nav>'
 
 
 def failures(data: ReportData) -> str:
@@ -68,29 +68,27 @@ def notes(data: ReportData) -> str:
 def _findings(data: ReportData, name: str, found: Sequence[Failure], kind: str, sign: str) -> str:
     if not found:
         return ""
-    words = data["words"]
     rows = "".join(
         f"<li><p><code>{markup(f['code'])}</code> {_lines(f['what'])}</p>"
-        + (f"<p><b>{markup(words['report.mend'])}:</b> {_lines(f['mend'])}</p>" if f["mend"] else "")
+        + (f"<p><b>{markup(say('report.mend'))}:</b> {_lines(f['mend'])}</p>" if f["mend"] else "")
         + "</li>"
         for f in found
     )
     return (
         f'<section id="{name}" class="{kind}" aria-labelledby="{name}-title">'
-        f'<h2 id="{name}-title">{sign}{markup(words[f"report.{name}"])}</h2>'
+        f'<h2 id="{name}-title">{sign}{markup(say(f"report.{name}"))}</h2>'
         f"<ul>{rows}</ul></section>"
     )
 
 
 def stage(data: ReportData) -> str:
     """Places for the animated drawing (screen) and the one with ghost poses (paper)."""
-    words = data["words"]
     return (
-        f'<section id="mechanism"><h2>{markup(words["report.mechanism"])}</h2>'
+        f'<section id="mechanism"><h2>{markup(say("report.mechanism"))}</h2>'
         f'<div id="drawing" class="panel screen"></div>'
         f'<figure class="paper"><div id="still"></div>'
-        f"<figcaption>{markup(words['report.still'])}</figcaption></figure>"
-        f"<noscript><p>{markup(words['report.no_script'])}</p></noscript></section>"
+        f"<figcaption>{markup(say('report.still'))}</figcaption></figure>"
+        f"<noscript><p>{markup(say('report.no_script'))}</p></noscript></section>"
     )
 
 
@@ -101,22 +99,21 @@ def structure(data: ReportData) -> str:
     rows = "".join(
         f"<div><dt>{markup(fact['name'])}</dt><dd>{_lines(fact['sentence'])}</dd></div>" for fact in data["structure"]
     )
-    title = markup(data["words"]["report.structure"])
+    title = markup(say("report.structure"))
     return f'<section id="structure"><h2>{title}</h2><dl>{rows}</dl></section>'
 
 
 def plots(data: ReportData) -> str:
     """One figure per plot under its group's heading; the script fills them."""
-    words = data["words"]
-    hint = f'<p class="hint screen">{markup(words["report.plots_hint"])}</p>'
+    hint = f'<p class="hint screen">{markup(say("report.plots_hint"))}</p>'
     out = ""
     for group in GROUPS:
         figures = "".join(_plot(i, plot) for i, plot in enumerate(data["plots"]) if plot["group"] == group)
         if figures:
-            title = f"<h2>{markup(words[f'report.{group}'])}</h2>"
+            title = f"<h2>{markup(say(f'report.{group}'))}</h2>"
             out += f'<section id="{group}">{title}{hint}<div class="plots">{figures}</div></section>'
             hint = ""
-    whole = markup(words["report.whole_time"])
+    whole = markup(say("report.whole_time"))
     return out and f'{out}<button type="button" id="whole" class="screen" hidden>{whole}</button>'
 
 
@@ -133,19 +130,18 @@ def model(data: ReportData) -> str:
     """The model file as it was given."""
     if not data["model_text"]:
         return ""
-    words = data["words"]
     return (
-        f'<section id="model"><h2>{markup(words["report.model"])}</h2>'
-        f"<details><summary>{markup(words['report.model_show'])}</summary>"
+        f'<section id="model"><h2>{markup(say("report.model"))}</h2>'
+        f"<details><summary>{markup(say('report.model_show'))}</summary>"
         f"<pre>{markup(data['model_text'])}</pre></details></section>"
     )
 
 
 def footer(data: ReportData) -> str:
     """Which version made the page."""
-    made = data["words"]["report.made_with"].format(version=data["version"])
+    made = say("report.made_with", version=data["version"])
     return f"<footer>{markup(made)}</footer>"
 
 
-def _lines(text: str) -> str:
+def _lines(text: Text) -> str:
     return markup(text).replace("\n", "<br>")

@@ -10,6 +10,7 @@ from linkwright.elements.cylinder import end_of, links_of
 from linkwright.elements.entries import NOUNS
 from linkwright.escape import printed
 from linkwright.expressions import units as u
+from linkwright.findings import Joined, Said, Text
 from linkwright.kernels import Compiled
 from linkwright.kernels.motions import rate_unit
 from linkwright.laws.curve import ROUND_OFF
@@ -18,92 +19,92 @@ from linkwright.notation import MAX_ORDER
 from linkwright.report import understood
 from linkwright.report.data import Fact
 from linkwright.structure import Driven, Group, Topology
-from linkwright.words import say
 
 
-def _fact(name: str, text: str) -> Fact:
-    return {"name": say(f"fact.{name}"), "sentence": text}
+def _fact(name: str, text: Text) -> Fact:
+    return {"name": Said(f"fact.{name}"), "sentence": text}
 
 
-def _higher(name: str, kind: JointKind, links: tuple[str, ...]) -> str:
-    return say("fact.higher.text", name=name, kind=kind.title, links=", ".join(links))
+def _higher(name: str, kind: JointKind, links: tuple[str, ...]) -> Said:
+    return Said("fact.higher.text", name=name, kind=kind.title, links=", ".join(links))
 
 
 def facts(compiled: Compiled) -> list[Fact]:
     """The structure in sentences: links, inferred pins, slides, mobility, order of solution."""
     topology: Topology = compiled.structure.topology
     m = compiled.mechanism
-    lines = [_fact("links", say("fact.links.text", moving=len(topology.moving), names=", ".join(topology.moving)))]
-    pins = "; ".join(say("fact.pin", name=pin.name, links=", ".join(pin.links)) for pin in topology.pins.values())
-    lines.append(_fact("pins", say("fact.pins.text", pins=pins or "-")))
-    slides = [say("fact.pin", name=name, links=", ".join(joint.links)) for name, joint in m.prismatic_joints()]
+    lines = [_fact("links", Said("fact.links.text", moving=len(topology.moving), names=", ".join(topology.moving)))]
+    pins = [Said("fact.pin", name=pin.name, links=", ".join(pin.links)) for pin in topology.pins.values()]
+    lines.append(_fact("pins", Said("fact.pins.text", pins=Joined(pins, "; ") if pins else "-")))
+    slides = [Said("fact.pin", name=name, links=", ".join(joint.links)) for name, joint in m.prismatic_joints()]
     if slides:
-        lines.append(_fact("slides", "; ".join(slides)))
+        lines.append(_fact("slides", Joined(slides, "; ")))
     higher = [c for c in topology.but_pins if not c.kind.places]
     if higher:
-        lines.append(_fact("higher", "; ".join(_higher(c.joint, c.kind, c.links) for c in higher)))
+        lines.append(_fact("higher", Joined((_higher(c.joint, c.kind, c.links) for c in higher), "; ")))
     pinned = {point for pin in topology.pins.values() for _, point in pin.members}
     pinned |= {end_of(link) for name in m.cylinders for link in links_of(name)}  # no names of the file's
     pinned |= {end for c in higher for end in m.joints[c.joint].ends}
     lone = [point for point in compiled.quantities.signals.homes if point not in pinned]
     if lone:
-        lines.append(_fact("lone", say("fact.lone.text", points=", ".join(lone))))
+        lines.append(_fact("lone", Said("fact.lone.text", points=", ".join(lone))))
     if compiled.plane is not None:
         lines.append(_fact("plane", _plane(compiled, compiled.plane)))
     if m.sketch:
         lines.append(_fact("parameters", ", ".join(_parameters(compiled))))
     motors = len(compiled.graph.motors)
-    mobility = say(
+    mobility = Said(
         "fact.mobility.text",
         mobility=topology.gruebler,
         moving=len(topology.moving),
         joints=topology.joint_count,
-        drives=say("fact.mobility.followers", drives=motors, followers=len(m.followers)) if m.followers else motors,
+        drives=Said("fact.mobility.followers", drives=motors, followers=len(m.followers)) if m.followers else motors,
         loops=topology.loops,
     )
     if motors:
-        lines.append(_fact("drives", "\n".join(understood.drives(compiled))))
+        lines.append(_fact("drives", Joined(understood.drives(compiled), "\n")))
     lines.append(_fact("mobility", mobility))
     if order := _order(compiled):
-        lines.append(_fact("order", "; ".join(order)))
+        lines.append(_fact("order", Joined(order, "; ")))
     masses = [link for link in topology.moving if m.has_mass(link)]
     without = [link for link in topology.moving if link not in masses]
-    said = say("fact.mass.none", links=", ".join(without)) if without else say("fact.mass.all")
+    said = Said("fact.mass.none", links=", ".join(without)) if without else Said("fact.mass.all")
     if masses:
-        lines.append(_fact("mass", say("fact.mass.text", links=", ".join(masses), without=said)))
-    acting, laws = understood.acting(compiled), [law_fact(compiled, name) for name in compiled.motions]
+        lines.append(_fact("mass", Said("fact.mass.text", links=", ".join(masses), without=said)))
+    acting: dict[str, list[Text]] = understood.acting(compiled)
+    laws: list[Text] = [law_fact(compiled, name) for name in compiled.motions]
     for name, said_of in (*((section, acting[section]) for section in reversed(NOUNS)), ("laws", laws)):
         if said_of:
-            lines.append(_fact(name, "; ".join(said_of)))
+            lines.append(_fact(name, Joined(said_of, "; ")))
     return [*lines, _fact("gravity", understood.gravity(compiled))]
 
 
-def law_fact(compiled: Compiled, name: str) -> str:
+def law_fact(compiled: Compiled, name: str) -> Said:
     """How smooth a motion law is, where and by how much the first derivative that isn't continuous jumps, and its
     peaks."""
     motion, law, quantities = compiled.motions[name], compiled.mechanism.laws[name], compiled.quantities
     unit, size = quantities.unit_of(law.axis)
-    order, continuity = motion.continuity + 1, say("fact.law.smooth")
+    order, continuity = motion.continuity + 1, Said("fact.law.smooth")
     if order <= MAX_ORDER:
         rate, one = rate_unit(quantities, law, order)
         rough = [join for join in motion.joins if join.jumps[order]]
         places = [
-            say(
+            Said(
                 "fact.law.jump",
                 at=f"{join.at / size:.6g} {unit}",
                 jump=f"{join.jumps[order] / one:.6g} {printed(rate)}",
             )
             for join in rough
         ]
-        continuity = say("fact.law.jumps", what=say(f"fact.law.{order}"), places=", ".join(places))
+        continuity = Said("fact.law.jumps", what=Said(f"fact.law.{order}"), places=Joined(places))
     peaks = []
     for k in range(1, MAX_ORDER + 1):
         rate, one = rate_unit(quantities, law, k)
         noise = ROUND_OFF * motion.curve.sizes[k]
         values = (extreme.value if abs(extreme.value) > noise else 0.0 for extreme in motion.extremes(k))
         low, high = (f"{value / one:.6g}" for value in values)
-        peaks.append(say("fact.law.peak", what=say(f"fact.law.{k}"), low=low, high=f"{high} {printed(rate)}"))
-    return say("fact.law", name=name, continuity=continuity, peaks=", ".join(peaks))
+        peaks.append(Said("fact.law.peak", what=Said(f"fact.law.{k}"), low=low, high=f"{high} {printed(rate)}"))
+    return Said("fact.law", name=name, continuity=continuity, peaks=Joined(peaks))
 
 
 def _parameters(compiled: Compiled) -> list[str]:
@@ -115,33 +116,33 @@ def _parameters(compiled: Compiled) -> list[str]:
     ]
 
 
-def _plane(compiled: Compiled, plane: LinkagePlane) -> str:
+def _plane(compiled: Compiled, plane: LinkagePlane) -> Said:
     """Where the sketch lies in the vehicle."""
     unit, size = compiled.quantities.unit_of(u.LENGTH)
     vectors = {key: _triple(getattr(plane, key)) for key in ("normal", "x", "y")}
     off = [f"{name} {value / size:.4g}" for name, value in plane.deviations.items() if abs(value) > 1e-9 * size]
-    how = say("fact.plane.fitted", points=", ".join(plane.fitted)) if plane.fitted else say("fact.plane.stated")
-    said = say("fact.plane.off", points=", ".join(off), unit=unit) if off else say("fact.plane.flat")
-    return say("fact.plane.text", how=how, origin=_triple(plane.origin / size), unit=unit, off=said, **vectors)
+    how = Said("fact.plane.fitted", points=", ".join(plane.fitted)) if plane.fitted else Said("fact.plane.stated")
+    said = Said("fact.plane.off", points=", ".join(off), unit=unit) if off else Said("fact.plane.flat")
+    return Said("fact.plane.text", how=how, origin=_triple(plane.origin / size), unit=unit, off=said, **vectors)
 
 
 def _triple(parts: NDArray[np.float64]) -> str:
     return "({})".format(", ".join(f"{round(float(part), 9) + 0.0:.6g}" for part in parts))
 
 
-def _order(compiled: Compiled) -> list[str]:
+def _order(compiled: Compiled) -> list[Said]:
     lines = []
     for step in compiled.structure.steps:
         if isinstance(step, Driven):
             said = {"link": step.link, "drive": step.drive, "base": step.base}
             if (follower := compiled.mechanism.followers.get(step.drive)) is not None:
-                lines.append(say("fact.order.follower", kind=follower.title, **said))
+                lines.append(Said("fact.order.follower", kind=follower.title, **said))
                 continue
             key = "output" if compiled.mechanism.drives[step.drive].output else "driven"
-            lines.append(say(f"fact.order.{key}", **said))
+            lines.append(Said(f"fact.order.{key}", **said))
             continue
         links = ", ".join(step.links)
         mode = compiled.assembly.rules.get(step, "") if isinstance(step, Group) else ""
         key = "fact.order.mode" if mode else "fact.order.group"
-        lines.append(say(key, links=links, signature=step.signature, mode=mode))
+        lines.append(Said(key, links=links, signature=step.signature, mode=mode))
     return lines

@@ -12,64 +12,64 @@ from linkwright.elements.entries import NOUNS
 from linkwright.elements.mover import Mover
 from linkwright.expressions import units as u
 from linkwright.expressions.units import Dimension
+from linkwright.findings import Said, Text
 from linkwright.kernels import Compiled
 from linkwright.model.plausible import amount
-from linkwright.words import say
 
 LONGEST = 60
 """The text of a longer law isn't shown."""
 
 
-def drives(compiled: Compiled) -> list[str]:
+def drives(compiled: Compiled) -> list[Said]:
     """Each drive: what it moves, by which law, from where; then the followers."""
     return [
-        say("fact.drive", name=name, subject=_subject(compiled, name, drive), motion=_motion(compiled, name))
+        Said("fact.drive", name=name, subject=_subject(compiled, name, drive), motion=_motion(compiled, name))
         for name, drive in compiled.mechanism.movers.items()
     ]
 
 
-def acting(compiled: Compiled) -> dict[str, list[str]]:
+def acting(compiled: Compiled) -> dict[str, list[Text]]:
     """What acts on links or weighs, by section: what it is, what it does at the start of the motion."""
     every = [*compiled.mechanism.acting()]
     rows = [f"{one.name}.{effort}" for one in every if (effort := one.kind.effort(one.entry))]
     efforts = dict(zip(rows, compiled.evaluate(rows, np.zeros(1))[:, 0].tolist(), strict=True)) if rows else {}
-    found: dict[str, list[str]] = {section: [] for section in NOUNS}
+    found: dict[str, list[Text]] = {section: [] for section in NOUNS}
     for one in every:
         effort = efforts.get(f"{one.name}.{one.kind.effort(one.entry)}", math.nan)
         said = one.kind.sentence(one.name, one.entry, effort, partial(amount, compiled.quantities))
         if said is not None:
-            found[one.section].append(str(said))
+            found[one.section].append(said)
     return found
 
 
-def gravity(compiled: Compiled) -> str:
+def gravity(compiled: Compiled) -> Said:
     """Its size and direction; or that there is none."""
     if compiled.mechanism.gravity is None:
-        return say("fact.gravity.none")
+        return Said("fact.gravity.none")
     parts = [compiled.quantities.value(part, u.ACCELERATION) for part in compiled.mechanism.gravity.parts]
     size = math.hypot(*parts)
     if size == 0:
-        return say("fact.gravity.none")
+        return Said("fact.gravity.none")
     x, y = (part / size for part in parts)
     axes = {(0.0, -1.0): "-y", (0.0, 1.0): "+y", (-1.0, 0.0): "-x", (1.0, 0.0): "+x"}
     axis = axes.get((x, y), f"[{x:.6g}, {y:.6g}]")
-    return say("fact.gravity.text", size=f"{size:.6g} m/s²", direction=axis)
+    return Said("fact.gravity.text", size=f"{size:.6g} m/s²", direction=axis)
 
 
-def _subject(compiled: Compiled, name: str, drive: Mover) -> str:
+def _subject(compiled: Compiled, name: str, drive: Mover) -> Said:
     """What a drive moves against what."""
     m = compiled.mechanism
     if (follower := m.followers.get(name)) is not None:
-        return say("fact.drive.follower", link=drive.link, on=drive.on, motor=follower.motor, kind=follower.title)
+        return Said("fact.drive.follower", link=drive.link, on=drive.on, motor=follower.motor, kind=follower.title)
     if drive.output is not None:
-        return say("fact.drive.output", link=drive.link, on=drive.on, output=drive.output)
+        return Said("fact.drive.output", link=drive.link, on=drive.on, output=drive.output)
     cylinders = [c.joint for c in compiled.structure.topology.acting(name) if c.joint in m.cylinders]
     if drive.slides and cylinders:
-        return say("fact.drive.cylinder", cylinder=cylinders[0])
-    return say("fact.drive.links", link=drive.link, on=drive.on)
+        return Said("fact.drive.cylinder", cylinder=cylinders[0])
+    return Said("fact.drive.links", link=drive.link, on=drive.on)
 
 
-def _motion(compiled: Compiled, name: str) -> str:
+def _motion(compiled: Compiled, name: str) -> Said:
     """The law of a drive: its speed (and in rpm), its start; of other laws their text, and the speed at the start."""
     q, turning = compiled.quantities, bool(compiled.mechanism.prescribed(name).turns)
     value, rate, change = (u.ANGLE, u.OMEGA, u.ALPHA) if turning else (u.LENGTH, u.SPEED, u.ACCELERATION)
@@ -77,18 +77,18 @@ def _motion(compiled: Compiled, name: str) -> str:
     said = {"start": amount(q, at[0], value), "speed": _speed(compiled, at[1], rate)}
     if (follower := compiled.mechanism.followers.get(name)) is not None:
         laws = ", ".join(follower.laws.values())
-        return say("fact.law.follower", law=laws, **said) if laws else say("fact.law.given", **said)
+        return Said("fact.law.follower", law=laws, **said) if laws else Said("fact.law.given", **said)
     drive = compiled.mechanism.drives[name]
     if drive.position is not None:
         law = drive.position.text
-        return say("fact.law.position", law=law, **said) if len(law) <= LONGEST else say("fact.law.given", **said)
+        return Said("fact.law.position", law=law, **said) if len(law) <= LONGEST else Said("fact.law.given", **said)
     if drive.acceleration is not None:
-        return say("fact.law.accelerated", acceleration=amount(q, at[2], change), **said)
+        return Said("fact.law.accelerated", acceleration=amount(q, at[2], change), **said)
     if at[1] == 0:
-        return say("fact.law.still", **said)
+        return Said("fact.law.still", **said)
     if turning:
-        return say("fact.law.turning", period=amount(q, 2 * math.pi / abs(at[1]), u.TIME), **said)
-    return say("fact.law.constant", **said)
+        return Said("fact.law.turning", period=amount(q, 2 * math.pi / abs(at[1]), u.TIME), **said)
+    return Said("fact.law.constant", **said)
 
 
 def _speed(compiled: Compiled, speed: float, rate: Dimension) -> str:

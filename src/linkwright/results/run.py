@@ -32,6 +32,8 @@ class Run:
     """A compiled mechanism over ``start`` .. ``stop`` (s), looked at on ``steps`` equal steps and in between."""
 
     def __init__(self, compiled: Compiled, start: float, stop: float, steps: int) -> None:
+        if not isinstance(compiled, Compiled):
+            raise TypeError(f"a Run is made of what linkwright.compile gives, not of {compiled!r}")
         self.compiled, self.start, self.stop, self.steps = compiled, start, stop, steps
         self.rows: dict[Named, tuple[Array, Array]] = {}
         """Rows that were looked at closely: times with all turning points, and values."""

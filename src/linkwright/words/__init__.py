@@ -15,7 +15,7 @@ from importlib import import_module
 from types import ModuleType
 from typing import Any
 
-LANGUAGES = ("en",)
+LANGUAGES = ("en", "zh")
 _LANGUAGE = ContextVar("language", default=LANGUAGES[0])
 
 
@@ -25,7 +25,7 @@ def language() -> str:
 
 
 @contextmanager
-def speaking(name: str) -> Iterator[None]:
+def in_language(name: str) -> Iterator[None]:
     """Give texts in one of the :data:`LANGUAGES` for a while. ValueError for another."""
     if name not in LANGUAGES:
         raise ValueError(f"not one of {LANGUAGES}: {name}")

@@ -76,7 +76,7 @@ def test_signals_and_facts_say_that_it_is_a_cam() -> None:
     c = compiled_from(pair("swinging", "roller"))
     own = {s.attribute for s in c.quantities.signals.all() if s.owners == ("rider",)}
     assert own == {"angle", "omega", "alpha", "jerk", "force", "pressure"}
-    text = " ".join(fact["sentence"] for fact in facts(c))
+    text = " ".join(str(fact["sentence"]) for fact in facts(c))
     assert "drives: 1, followers: 1" in text
     assert "moved by rider (cam)" in text
     (wrong,) = found(pair("swinging", "roller") | {"measures": {"m": {"max": "rider.torque"}}})

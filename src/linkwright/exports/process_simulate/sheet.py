@@ -18,6 +18,7 @@ from linkwright.escape import markup
 from linkwright.exports.process_simulate.facts import HingeFacts
 from linkwright.exports.process_simulate.functions import JointFunction, JointFunctions
 from linkwright.exports.process_simulate.sheet_drawing import anchors, linkage, places
+from linkwright.findings import Said
 from linkwright.kernels import Compiled
 from linkwright.presentation.blocks import Chart
 from linkwright.presentation.html_file import html_file
@@ -49,7 +50,13 @@ for (const button of document.querySelectorAll("button.copy")) {
 
 def sheet(compiled: Compiled, functions: JointFunctions, facts: HingeFacts) -> str:
     """The whole sheet as the text of an HTML file (UTF-8)."""
-    title = say("sheet.title", name=compiled.mechanism.title)
+    title = Said("sheet.title", name=compiled.mechanism.title)
+    style = files(__package__).joinpath("sheet.css").read_text("utf-8")
+    body = partial(_body, title, compiled, functions, facts)
+    return html_file(title, body, scripts=f"<script>{SCRIPT}</script>", style=style, kind="sheet")
+
+
+def _body(title: Said, compiled: Compiled, functions: JointFunctions, facts: HingeFacts) -> str:
     subtitle = say(
         "sheet.subtitle",
         dialect=functions.dialect,
@@ -58,17 +65,14 @@ def sheet(compiled: Compiled, functions: JointFunctions, facts: HingeFacts) -> s
         range=_limits(functions.driving, facts),
         error=_error(functions.max_error, " / ".join(dict.fromkeys(_UNITS[f.kind] for f in functions.functions))),
     )
-    body = f"""<header><h1>{markup(title)}</h1><p class="subtitle">{markup(subtitle)}</p></header>
+    return f"""<header><h1>{markup(title)}</h1><p class="subtitle">{markup(subtitle)}</p></header>
 <main>
 <section id="linkage"><div class="two">{_linkage(compiled, functions, facts)}{_plane(compiled, facts)}</div></section>
 <section id="joints"><h2>{markup(say("sheet.functions"))}</h2>{_table(compiled, functions, facts)}</section>
 <section id="facts"><h2>{markup(say("sheet.facts"))}</h2>{_facts(compiled, facts)}
 <div class="three">{figures(_charts(facts))}</div></section>
 </main>
-<footer>{markup(say("sheet.footer", version=_version.__version__))}</footer>
-<script>{SCRIPT}</script>"""
-    style = files(__package__).joinpath("sheet.css").read_text("utf-8")
-    return html_file(title, body, style=style, kind="sheet")
+<footer>{markup(say("sheet.footer", version=_version.__version__))}</footer>"""
 
 
 def _shown(value: float) -> str:

@@ -1,9 +1,12 @@
 // The page's glue: plots, and one time for the drawing and all of them.
 // `mechanism` (mechanism.js) and `uPlot` stand in the page before this.
-/* global mechanism, uPlot */
+/* global mechanism, uPlot, linkwrightWords */
 
-const data = JSON.parse(document.getElementById("data").textContent);
-const { time, scene, words, plots } = data;
+const { time, scene, plots } = JSON.parse(document.getElementById("data").textContent);
+const words = linkwrightWords.texts;
+time.label = linkwrightWords.time;
+plots.forEach((plot, i) => (plot.title = linkwrightWords.titles[i]));
+scene.areas?.forEach((area, i) => (area.name = linkwrightWords.areas[i]));
 const DASHES = [[], [7, 3], [2, 3], [10, 3, 2, 3], [5, 2, 1, 2, 1, 2]];
 const PAPER = { width: 336, height: 180, scale: 3 };
 const HEIGHT = 230;

@@ -210,6 +210,8 @@ TEXTS: dict[str, str] = {
     "cli.out": "Results folder (default: FILE's name with _linkwright, beside it).",
     "cli.force_folder": "Overwrite files that linkwright didn't write, or that were changed since.",
     "cli.csv_comments": "Begin CSV files with comments (#): model file, its hash, date, version.",
+    "cli.lang": "Language of texts, reports and messages (default: the system's).",
+    "cli.version": "Show the version and exit.",
     "cli.netcdf": "Write netCDF files as well (SI units).",
     "cli.quiet": "Show problems only.",
     "cli.verbose": "Show all details: each check, each output, each contributor.",

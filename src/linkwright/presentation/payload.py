@@ -7,13 +7,17 @@ import math
 from collections.abc import Mapping, Sequence
 
 from linkwright.escape import script
+from linkwright.findings import Said
 
 DIGITS = 7
 """Significant digits of a number in the page: finer than any screen or print resolves."""
 
 
 def compact(value: object) -> object:
-    """Copy plain data with its floats rounded to ``DIGITS`` significant digits, and not-a-numbers as None."""
+    """Copy plain data with its floats rounded to ``DIGITS`` significant digits, not-a-numbers as None, and texts of the
+    catalogue in words."""
+    if isinstance(value, Said):
+        return str(value)
     if isinstance(value, float):
         if not math.isfinite(value):
             return None

@@ -1,0 +1,65 @@
+"""The language of a process, and click's own texts in it."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Mapping, Sequence
+from functools import cache
+from typing import Any
+
+import click
+from click import core, decorators, exceptions, formatting, parser, types
+
+from linkwright.words import LANGUAGES, catalogue, in_language
+
+PREFIX = "click."
+_CHINESE = 0x04
+"""The primary language of Windows' numbers of languages (LANG_CHINESE)."""
+
+
+def chosen(words: Sequence[str], environment: Mapping[str, str]) -> str:
+    """The language that the command line asks for by ``--lang``, else the system's where there are texts in it."""
+    for k, word in enumerate(words):
+        name = words[k + 1] if word == "--lang" and k + 1 < len(words) else word.removeprefix("--lang=")
+        if name in LANGUAGES and name != word:
+            return name
+    system = next((environment[name] for name in ("LC_ALL", "LC_MESSAGES", "LANG") if environment.get(name)), None)
+    if system is None and sys.platform == "win32":
+        import ctypes
+
+        system = "zh" if ctypes.windll.kernel32.GetUserDefaultUILanguage() & 0x3FF == _CHINESE else "en"
+    return next((name for name in LANGUAGES if (system or "").lower().startswith(name)), LANGUAGES[0])
+
+
+def speak(context: click.Context, _: click.Parameter, name: str | None) -> None:
+    """Give texts in a language for the rest of a command."""
+    if name is not None:
+        context.with_resource(in_language(name))
+
+
+@cache
+def _keys() -> dict[str, str]:
+    return {text: key for key, text in catalogue("en").items() if key.startswith(PREFIX)}
+
+
+def _translated(text: str) -> str:
+    return catalogue()[_keys()[text]] if text in _keys() else text
+
+
+def _counted(one: str, several: str, count: int) -> str:
+    return _translated(one if count == 1 else several)
+
+
+def install() -> None:
+    """Let click take its texts, which it has by gettext's functions, from the catalogue."""
+    modules: tuple[Any, ...] = (core, decorators, exceptions, formatting, parser, types)
+    for module in modules:
+        for name, function in (("_", _translated), ("ngettext", _counted)):
+            if hasattr(module, name):
+                setattr(module, name, function)
+
+
+def of_process() -> str:
+    """The language of this process."""
+    return chosen(sys.argv[1:], os.environ)

@@ -1,0 +1,26 @@
+"""Texts of the package click, as it has them itself, which show around the command line's own."""
+
+TEXTS: dict[str, str] = {
+    "click.usage": "Usage:",
+    "click.options": "Options",
+    "click.commands": "Commands",
+    "click.help": "Show this message and exit.",
+    "click.error": "Error: {message}",
+    "click.try": "Try '{command} {option}' for help.",
+    "click.default": "default: {default}",
+    "click.missing-command": "Missing command.",
+    "click.missing-argument": "Missing argument",
+    "click.missing-option": "Missing option",
+    "click.missing-kind": "Missing {param_type}",
+    "click.extra-argument": "Got unexpected extra argument ({args})",
+    "click.extra-arguments": "Got unexpected extra arguments ({args})",
+    "click.no-value": "Option {name!r} does not take a value.",
+    "click.needs-value": "Option {name!r} requires an argument.",
+    "click.invalid": "Invalid value: {message}",
+    "click.invalid-for": "Invalid value for {param_hint}: {message}",
+    "click.not-choice": "{value!r} is not {choice}.",
+    "click.not-one-of": "{value!r} is not one of {choices}.",
+    "click.not-number": "{value!r} is not a valid {number_type}.",
+    "click.not-in-range": "{value} is not in the range {range}.",
+    "click.no-file": "{name} {filename!r} does not exist.",
+}

@@ -1,0 +1,26 @@
+"""Texts of the package click, as it has them itself, which show around the command line's own."""
+
+TEXTS: dict[str, str] = {
+    "click.usage": "用法:",
+    "click.options": "选项",
+    "click.commands": "命令",
+    "click.help": "显示本帮助并退出。",
+    "click.error": "错误: {message}",
+    "click.try": "用“{command} {option}”查看帮助。",
+    "click.default": "默认值: {default}",
+    "click.missing-command": "缺少命令。",
+    "click.missing-argument": "缺少参数",
+    "click.missing-option": "缺少选项",
+    "click.missing-kind": "缺少 {param_type}",
+    "click.extra-argument": "多余的参数 ({args})",
+    "click.extra-arguments": "多余的参数 ({args})",
+    "click.no-value": "选项 {name!r} 不带值。",
+    "click.needs-value": "选项 {name!r} 缺少值。",
+    "click.invalid": "无效的值: {message}",
+    "click.invalid-for": "{param_hint} 的值无效: {message}",
+    "click.not-choice": "{value!r} 不是 {choice}。",
+    "click.not-one-of": "{value!r} 不是可选值 {choices} 之一。",
+    "click.not-number": "{value!r} 不是有效的 {number_type}。",
+    "click.not-in-range": "{value} 超出范围 {range}。",
+    "click.no-file": "{name} {filename!r} 不存在。",
+}
