@@ -145,7 +145,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "在表中写 between: cubic 或 between: quintic。",
     ),
     "drive.not-finite": (
-        "驱动 {drive} 的 {what} 在 t = {time:.6g} s 时不是有限值，或不小于 1e40。",
+        "驱动 {drive} 的 {what} 在 t = {time:.6g} s 时不是有限值，或绝对值不小于 1e40。",
         "检查其 position 是否有除以零、负数开方或在零点处开方。",
     ),
     "drive.outside-table": (
