@@ -24,7 +24,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "减小键槽宽度，或加大轴孔；轴孔和轮毂均以半径给出。",
     ),
     "cam.hub": (
-        "轮毂在轴孔和键槽周围没有剩余壁厚。",
+        "轮毂过小，轴孔和键槽周围没有壁厚。",
         "加大轮毂，或减小轴孔；二者均以半径给出。",
     ),
     "cam.groove-blank": (
@@ -37,7 +37,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "cam.plate": (
         "沟槽外侧面到中心的最大距离为 {most} {unit}，超出毛坯盘边缘。",
-        "将 radius 改为大于该值。",
+        "将 radius 增大到该值以上。",
     ),
     "cam.blank": (
         "轮毂、轴孔或键槽到中心的最大距离为 {reach} {unit}，而{profile}的最小向径只有 {least} {unit}。",
@@ -84,7 +84,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "为从动件添加滚子。",
     ),
     "cam.no-speed": (
-        "凸轮转速未知：驱动 {motor} 不是匀速的。",
+        "凸轮转速未知：驱动 {motor} 不是匀速驱动。",
         "在 forces 或驱动中给出 speed。",
     ),
     "cam.poisson": (
@@ -119,18 +119,18 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "cam.hertz": (
         "赫兹接触应力在凸轮转角 {theta} 处为 {value}，限值为 {limit}。",
-        "将接触宽度增大到 {width}，或增大基圆、加大滚子、改用较软的弹簧。",
+        "将接触宽度增大到 {width}，或增大基圆、加大滚子或改用较弱的弹簧。",
     ),
     "cam.torque": (
         "凸轮轴力矩在凸轮转角 {theta} 处为 {value}，限值为 {limit}。",
-        "改用较软的弹簧，减轻从动件，或将升程分布到更大的凸轮转角上。",
+        "改用较弱的弹簧，减轻从动件，或将升程分布到更大的凸轮转角上。",
     ),
     "cam.shock": (
         "从动件速度发生突变，该处的力将为无穷大。",
         "改用速度连续的运动规律。",
     ),
     "cam.locked": (
-        "从动件自锁：压力角达到 90 deg。",
+        "从动件卡死：压力角达到 90 deg。",
         "增大基圆，或改变从动件的导向方式。",
     ),
     "cam.groove": (
@@ -142,8 +142,8 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "摆动从动件改用沟槽或副凸轮实现形封闭。",
     ),
     "cam.play": (
-        "框形从动件的最大间隙为 {play}：凸轮在此方向上的宽度，在凸轮转角 {at_min} 处为 {yoke_span_min}，在 {at_max} 处为 "
-        "{yoke_span_max}。",
+        "框形从动件的最大间隙为 {play}：凸轮在从动件移动方向上的宽度，在凸轮转角 {at_min} 处为 {yoke_span_min}，在 {at_max} "
+        "处为 {yoke_span_max}。",
         "改用相隔半周的两处升程之和恒定的运动规律，例如回程与推程采用同一规律且相隔半周；或采用副凸轮，即 closed: conjugate。",
     ),
     "nc.no-post": (
@@ -203,11 +203,11 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "增加小数位数或放宽公差；曲率过大处可增大基圆。",
     ),
     "nc.off": (
-        "回读 {post} 的文件，所得升程的偏差为公差的 {share} 倍，并且对实际廓线过切 {gouge} mm。未写入该文件。",
+        "回读 {post} 的文件，所得升程的偏差为公差的 {share} 倍，并且对实际廓线过切 {gouge} mm。该文件未写入。",
         "增加小数位数或步数；若误差仍然存在，将其作为程序缺陷报告。",
     ),
     "nc.depth": (
-        "回读 {post} 的文件，铣削深度为 {depth} mm，而要求为 {wanted} mm。未写入该文件。",
+        "回读 {post} 的文件，铣削深度为 {depth} mm，而要求为 {wanted} mm。该文件未写入。",
         "检查其中的深度；若误差仍然存在，将其作为程序缺陷报告。",
     ),
     "nc.island": (
@@ -219,7 +219,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "检查各次走刀的起点；若误差仍然存在，将其作为程序缺陷报告。",
     ),
     "nc.long-line": (
-        "{post} 的文件中有一行长达 {length} 个字符，而该数控系统最多接受 {most} 个。未写入该文件。",
+        "{post} 的文件中有一行长达 {length} 个字符，而该数控系统最多接受 {most} 个。该文件未写入。",
         "减少小数位数，或缩短名称。",
     ),
     "nc.nothing-left": (
@@ -286,7 +286,7 @@ TERMS = {
     "a-length": "从动件的尺寸",
     "no-base": "放大到 20 倍仍不满足",
     "normal-square": "压力角达到 90 deg，沿公法线方向的力无法推动从动件",
-    "face-fast": "平底与凸轮转动得一样快，接触点沿平底移出",
+    "face-fast": "平底与凸轮转速相同，接触点沿平底移向无穷远",
     "cam-positive": "大于 0",
     "cam-zero": "不小于 0",
     "jump-acceleration": "加速度",

@@ -26,7 +26,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "在凸轮轴轴线上为两个构件各定义一个同名的点，或在 on 中指定其他构件。",
     ),
     "cam.no-motor": (
-        "没有具有自身运动规律的驱动使 {cam} 相对于 {on} 转动。",
+        "没有使 {cam} 相对于 {on} 转动且具有自身运动规律的驱动。",
         "添加一个使 {cam} 相对于 {on} 转动的驱动，不带 output；凸轮运动规律按其转角求值。",
     ),
     "cam.no-guide": (
@@ -46,11 +46,11 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "例如写“side: {meant}”。",
     ),
     "cam.askew": (
-        "平底与移动方向的垂直度偏差为 {angle} {unit}。",
+        "平底与移动方向不垂直，偏差为 {angle} {unit}。",
         "改正平底的角度；只支持与移动方向垂直的平底。",
     ),
     "cam.offset": (
-        "从动件 {follower} 相对于凸轮轴的偏距为 {offset} {unit}；而基圆与滚子半径之和只有 {limit} {unit}。",
+        "从动件 {follower} 相对于凸轮轴的偏距为 {offset} {unit}，而基圆与滚子半径之和只有 {limit} {unit}。",
         "增大基圆，或减小从动件的偏距。",
     ),
     "cam.second-side": (
@@ -63,11 +63,11 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "使第二接触点或第二平底远离第一接触。",
     ),
     "cam.second-base": (
-        "按 {follower} 的第二接触，副凸轮的基圆半径只剩 {base} {unit}。",
+        "{follower} 的第二接触位置使副凸轮的基圆半径只有 {base} {unit}。",
         "使第二接触远离凸轮轴，或减小第二个滚子。",
     ),
     "joint.locks": (
-        "由 {joint}（{kind}）带动的构件在 t = {time} s（{drive} = {value} {unit}）时自锁：{why}。",
+        "由 {joint}（{kind}）带动的构件在 t = {time} s（{drive} = {value} {unit}）时卡死：{why}。",
         "减小升程，或将其分布到更大的范围上，使压力角始终小于 90 deg。",
     ),
     "cam.lifts-off": (
@@ -75,7 +75,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "添加弹簧或改用更强的弹簧，降低转速；若从动件为形封闭，则改为 closed: groove（或 conjugate、yoke）。",
     ),
     "cam.locks": (
-        "凸轮 {joint} 的从动件在 t = {time} s（{drive} = {value} {unit}）时自锁：{why}。",
+        "凸轮 {joint} 的从动件在 t = {time} s（{drive} = {value} {unit}）时卡死：{why}。",
         "减小升程，或将其分布到更大的凸轮转角上；或修改摆动中心、摆杆长度或基圆，使压力角始终小于 90 deg。",
     ),
     "cam.loose": (
@@ -173,7 +173,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "改正 line 中的角度，使环路中各方向相互一致。",
     ),
     "load.against-itself": (
-        "载荷作用于 {name}，其反作用也在 {name}：两力相互抵消。",
+        "载荷作用于 {name}，其反作用也作用于 {name} 自身：两力相互抵消。",
         "在 against 中指定其他构件；若载荷来自机构外部，则删除 against。",
     ),
     "load.signal": (

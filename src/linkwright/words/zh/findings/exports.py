@@ -23,22 +23,22 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "export.handle": (
         "把手 {name} 是机架上的点，不会运动。",
-        "指定门板上的一点，即开启时手握之处。",
+        "指定门盖（panel）上的一点，即开启时手握之处。",
     ),
     "export.outline": (
         "这些点不能构成外轮廓：{reason}。",
-        "按绕行顺序列出门板上至少三个点，每点一次。",
+        "按绕行顺序列出门盖（panel）上至少三个点，每点一次。",
     ),
     "export.setting": (
         "“{given}”不符合 KEY=VALUE 的形式。",
         "按模型文件中的写法给出选项及其值：--set decimals=12。",
     ),
     "export.no-mass": (
-        "MuJoCo 要求每个运动构件都有质量：为 {links} 设定质量 {mass}，回转半径 {radius}。",
+        "MuJoCo 要求每个运动构件都有质量：已为 {links} 设定质量 {mass}、回转半径 {radius}。",
         "在模型中给出这些构件的质量，或修改 tiny_mass。",
     ),
     "export.no-inertia": (
-        "MuJoCo 要求每个运动构件都有转动惯量：{links} 的转动惯量按回转半径 {radius} 设定。",
+        "MuJoCo 要求每个运动构件都有转动惯量：已按回转半径 {radius} 设定 {links} 的转动惯量。",
         "若转动惯量有影响，在模型中为这些构件给出。",
     ),
     "export.no-duration": (
