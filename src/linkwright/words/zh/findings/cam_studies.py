@@ -93,7 +93,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "cam.no-figure": (
         "{name} 不是本分析的结果。",
-        "添加 forces；赫兹接触应力还需要 width，形封闭从动件还需要 spring。只有滚子才有转速；只有平底才有 face_near 和 "
+        "添加 forces；赫兹接触应力还需要 width，形封闭时，弹簧和脱离转速的结果还需要 spring。只有滚子才有转速；只有平底才有 face_near 和 "
         "face_far，而平底没有理论廓线，也没有内凹曲率半径。副凸轮的结果需要 closed: conjugate，宽度和间隙的结果需要 closed: "
         "yoke。",
     ),
