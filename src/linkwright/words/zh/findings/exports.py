@@ -1,0 +1,80 @@
+"""Problems of exports."""
+
+PROBLEMS: dict[str, tuple[str, str]] = {
+    "export.which": (
+        "未指定导出目标。",
+        "添加 --to 和以下之一：{known}。",
+    ),
+    "export.unknown": (
+        "没有名为“{name}”的导出目标。",
+        "{near}",
+    ),
+    "export.missing": (
+        "文件中没有导出到 {name} 的选项。已有的导出：{has}。",
+        "在文件中添加，例如“exports: {{{name}: {example}}}”。",
+    ),
+    "export.options": (
+        "导出到 {export} 的选项 {key} 无效：{reason}。",
+        "改正该选项；docs/file-format.md 列出了各导出目标的选项。",
+    ),
+    "export.choice": (
+        "导出到 {study} 的选项 {key} 不能为 {given}。",
+        "{near}",
+    ),
+    "export.handle": (
+        "把手 {name} 是机架上的点，不会运动。",
+        "指定门盖（panel）上的一点，即开启时手握之处。",
+    ),
+    "export.outline": (
+        "这些点不能构成外轮廓：{reason}。",
+        "按绕行顺序列出门盖（panel）上至少三个点，每点一次。",
+    ),
+    "export.setting": (
+        "“{given}”不符合 KEY=VALUE 的形式。",
+        "按模型文件中的写法给出选项及其值：--set decimals=12。",
+    ),
+    "export.no-mass": (
+        "MuJoCo 要求每个运动构件都有质量：已为 {links} 设定质量 {mass}、回转半径 {radius}。",
+        "在模型中给出这些构件的质量，或修改 tiny_mass。",
+    ),
+    "export.no-inertia": (
+        "MuJoCo 要求每个运动构件都有转动惯量：已按回转半径 {radius} 设定 {links} 的转动惯量。",
+        "若转动惯量有影响，在模型中为这些构件给出。",
+    ),
+    "export.no-duration": (
+        "未给出运动的时长。",
+        "在 exports.{export} 中给出 duration，或在 studies 中给出 cycle。",
+    ),
+    "export.too-many-pieces": (
+        "{drive} 的运动规律在该时段内超过 {limit} 段，因此未写成文本。",
+        "使用 motion.csv 中的数值，或缩短 duration。",
+    ),
+    "export.no-formula": (
+        "{drive} 的运动规律没有公式，因此未写成文本。",
+        "使用 motion.csv 中的数值。",
+    ),
+    "joint.winds": (
+        "该类运动副（{kind}）需要构件的连续转角，而该构件只有方向已知。",
+        "在该类运动副的类中设置 winds = True，使转角可连续跟踪多周。",
+    ),
+    "joint.follower-output": (
+        "不能以 {motor} 作为从动件的驱动：其运动规律定义在输出 {output} 上。",
+        "将 motor 改为其他驱动，或为 {motor} 给出自身的运动规律。",
+    ),
+    "joint.follower-law": (
+        "运动规律 {law} 必须以驱动的 {over} 为自变量，以从动件的 {of} 为因变量；现为 {given}。",
+        "在该运动规律中写 over: {over} 和 of: {of}，或指定其他运动规律。",
+    ),
+    "export.unproven": (
+        "验证未通过：{name} 的导出结果与模型的偏差为 {error} {unit}，因此未写入。",
+        "检查是否有接近奇异的运动规律或位姿；否则将其作为 linkwright 的程序缺陷报告。",
+    ),
+    "export.left-out": (
+        "MuJoCo 文件中不包含 {names}。",
+        "若仿真需要，手工添加。",
+    ),
+    "export.followers": (
+        "MuJoCo 没有使构件跟随驱动的运动副：每个从动件（{names}）各有一个执行器，按其运动规律运动。从动件上的力不作用于其驱动的执行器。",
+        "使用 positions.csv 中从动件的控制量；从动件的力和驱动力矩取自 linkwright。",
+    ),
+}
