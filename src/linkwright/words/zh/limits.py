@@ -12,7 +12,7 @@ TEXTS: dict[str, str] = {
     "limits.column.to": "到",
     "limits.column.unit": "单位",
     "limits.column.ends": "受限原因",
-    "limits.column.by": "由何驱动",
+    "limits.column.by": "驱动",
     "limits.column.signal": "信号",
     "limits.column.min": "最小",
     "limits.column.max": "最大",

@@ -18,7 +18,7 @@ TEXTS: dict[str, str] = {
     "reactions.bar": "{link} 的拉力",
     "reactions.tension": "受拉",
     "reactions.compression": "受压",
-    "reactions.unloaded": "零",
+    "reactions.unloaded": "不受力",
     "reactions.closure": "运动副均封闭（最大封闭误差与机构尺寸之比）",
     "reactions.equilibrium": "各构件均平衡（最大残差与最大力之比）",
 }

@@ -1,8 +1,8 @@
 """The words of the sweep's tables, charts and progress."""
 
 TEXTS: dict[str, str] = {
-    "sweep.sentence": "{samples} 个样本（抽样方案：{plan}），每个 {poses} 个位姿，用计算内核 {kernel} 计算。",
-    "sweep.sentence.failed": "{samples} 个样本（抽样方案：{plan}），每个 {poses} 个位姿，用计算内核 {kernel} 计算；其中 {failed} 个样本有缺失值。",
+    "sweep.sentence": "{samples} 个样本（采样方案：{plan}），每个 {poses} 个位姿，用计算内核 {kernel} 计算。",
+    "sweep.sentence.failed": "{samples} 个样本（采样方案：{plan}），每个 {poses} 个位姿，用计算内核 {kernel} 计算；其中 {failed} 个样本有缺失值。",
     "sweep.sentence.none": "未计算任何样本。",
     "sweep.table.vary": "变动参数",
     "sweep.table.measures": "全部样本的测量项",
@@ -27,5 +27,5 @@ TEXTS: dict[str, str] = {
     "sweep.chart.over": "{name} 随 {parameter} 的变化",
     "term.interrupted": "已中断：共 {total} 个部分，已完成 {atoms} 个。{rest}",
     "term.interrupted-kept": "已完成的部分保存在 {folder} 中；再次运行同一命令即可继续。",
-    "term.interrupted-lost": "没有结果文件夹，已完成的部分未保存。",
+    "term.interrupted-lost": "没有结果文件夹，已完成的部分已丢失。",
 }
