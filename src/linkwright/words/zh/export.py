@@ -6,7 +6,7 @@ TEXTS: dict[str, str] = {
     "motors.told": "{drive}：{count} 段，最大误差 {error} {unit}。",
     "motors.title": "{name}：电机的运动规律，由 linkwright 写入",
     "motors.time": "时长 {stop} s；t 的单位为 s。",
-    "motors.dialect.creo": "sin、cos、tan 的自变量单位为度，asin、acos 的返回值单位为度。在 Creo Mechanism 中：位置伺服电机，采用用户定义函数；每行对应一条：表达式和定义域。",
+    "motors.dialect.creo": "sin、cos、tan 的自变量单位为度，asin、acos 的返回值单位为度。在 Creo Mechanism 中：位置伺服电机，采用用户定义函数；以下每行对应其表中一行：表达式和定义域。",
     "motors.dialect.radians": "sin、cos、tan 的自变量单位为弧度，asin、acos 的返回值单位为弧度。",
     "motors.head": "{drive}：{what}，单位 {unit}；最大误差 {error} {unit}",
     "motors.turns": "{link} 相对 {on} 的角度",

@@ -9,7 +9,7 @@ TEXTS: dict[str, str] = {
     "reactions.column.reaction": "约束反力",
     "reactions.column.value": "数值",
     "reactions.column.unit": "单位",
-    "reactions.column.bar": "杆件",
+    "reactions.column.bar": "二力杆",
     "reactions.column.kind": "受力类型",
     "reactions.column.check": "检查",
     "reactions.column.residual": "残差",

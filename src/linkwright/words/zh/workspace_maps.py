@@ -1,10 +1,10 @@
 """The words of maps over workspaces: quality, errors, what is sure."""
 
 TEXTS: dict[str, str] = {
-    "workspace.quality": "性能由工作点 {point} 的 J = {determinant} 计算。在第一类奇异位形（输出死点）处，J 的行列式为零：{point} 在某个方向上不能运动。",
+    "workspace.quality": "性能指标由工作点 {point} 的 J = {determinant} 计算。在第一类奇异位形（输出死点）处，J 的行列式为零：{point} 在某个方向上不能运动。",
     "workspace.quality.closures": "在第二类奇异位形（不确定位形）处，某个封闭方程的行列式为零：驱动全部锁定时机构仍能运动（{groups}）。",
-    "workspace.errors": "{names} 各自在极限偏差内变动时 {point} 的误差，取一阶近似。",
-    "workspace.errors.clearances": "由运动副间隙引起的 {point} 的误差，取一阶近似；尺寸均无偏差。",
+    "workspace.errors": "{point} 的误差（一阶近似）：{names} 各自在极限偏差内变动。",
+    "workspace.errors.clearances": "{point} 的误差（一阶近似）：由运动副间隙引起，尺寸均无偏差。",
     "workspace.errors.pin": "铰链的间隙：轴与孔的中心距可取任意方向，大小可取径向间隙（直径差的一半）以内的任意值，各运动副相互独立（{joints}）。标准差按间隙取满值、方向均匀分布计算。",
     "workspace.errors.guide": "导轨的间隙：滑块的两端各自可偏向任一侧，偏移量不超过间隙（总间隙的一半），各端相互独立（{joints}）。标准差按间隙取满值、偏向两侧的概率相等计算。",
     "workspace.errors.flank": "销槽副等的间隙：构件可沿接触法线偏向任一侧，偏移量不超过间隙（总间隙的一半），各处相互独立（{joints}）。标准差按间隙取满值、偏向两侧的概率相等计算。",
@@ -13,7 +13,7 @@ TEXTS: dict[str, str] = {
     "workspace.shown.better": "同一模式的多个位姿到达同一处时，图中显示较好的数值。",
     "workspace.shown.worse": "同一模式的多个位姿到达同一处时，图中显示较大的误差。",
     "workspace.shown.first": "共 {count} 幅图，仅绘制前 {limit} 幅。",
-    "workspace.map": "模式 {mode} 的{map}{values}",
+    "workspace.map": "{map}，模式：{mode}{values}",
     "workspace.map.condition": "{determinant} 的条件数",
     "workspace.map.manipulability": "{determinant} 的行列式绝对值",
     "workspace.map.transmission": "所有杆组的最小传动角",
@@ -31,7 +31,7 @@ TEXTS: dict[str, str] = {
     "workspace.map.spread-x": "{point}.x 的三倍标准差",
     "workspace.map.spread-y": "{point}.y 的三倍标准差",
     "workspace.map.spread-worst": "{point} 的三倍标准差（最不利方向）",
-    "workspace.table.quality": "各区域的性能：最小值和最大值",
+    "workspace.table.quality": "各区域的性能指标：最小值和最大值",
     "workspace.table.loci": "各区域的奇异位形",
     "workspace.table.errors": "各区域的误差：最小值和最大值",
     "workspace.table.guaranteed": "各区域的保证可达面积",
