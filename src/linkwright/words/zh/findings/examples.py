@@ -1,0 +1,57 @@
+"""Examples of what can stand at a place, for problems with what is written there instead."""
+
+_EXAMPLES = {
+    "expression": "示例：60、'60 mm'、'2*AB + 5 mm'",
+    "plain": "示例：3、true、'加引号的文本'",
+    "mapping": "按“名称: 值”的形式给出条目。示例：{{AB: 155, BC: 395}}",
+    "list": "将各值写在方括号中。示例：[A, B]",
+    "text": "将其加上引号。示例：'2024'",
+    "name": "示例：crank、crank_2",
+    "other": "各类条目的示例见 docs/file-format.md。",
+    "direction": "示例：[0, 1, 0]",
+    "points": "示例：{{A: [0, 0], B: [60, 0]}}",
+    "position": "示例：[120, 0]、120 at 30 deg；小数点用“.”表示",
+    "place": "示例：B、[120, 0]",
+    "line": "示例：G at 90 deg",
+    "shape": "示例：rod A-B",
+    "assembly": "示例：left of B-D（从 B 向 D 看，位于左侧）",
+    "requirement": "示例：'>= 680 mm'、40 deg .. 140 deg",
+    "vector": "示例：[120, 0]",
+    "force": "示例：[0, -50 N]",
+    "interval": "示例：[20, 80]",
+    "triangle": "示例：[49, 50, 52]",
+    "varying": "示例：{{from: 150, to: 160, count: 11}}、[150, 155, 160]、{{normal: 155, sigma: 0.1}}",
+    "cost": "示例：{{reciprocal: 3}}",
+    "processes": "示例：{{IT6: 12, IT7: 8}}",
+    "tolerance": "示例：0.05、[-0.1, 0.05]、ISO 2768-m",
+    "correlation": "示例：0.7",
+    "two-links": "示例：[frame, slider]",
+    "slot-place": "示例：[30, 8]",
+    "slot-places": "示例：[[0, 0], [30, 8], [60, 0]]",
+    "two-points": "示例：[B1, B2]",
+    "two-lines": "示例：[F at 0 deg, C at 0 deg]",
+    "numbers": "示例：[1, 2.5, 4]",
+    "segments": "示例：[{{rise: 10, over: 90 deg}}, {{dwell: 90 deg}}]",
+    "table-row": "示例：[0, 12.5]",
+    "table-rows": "示例：[[0, 0], [90, 12.5]]",
+    "column": "示例：angle deg",
+    "turns": "示例：1 motor",
+    "gravity": "示例：gravity: [0, -9.81 m/s^2]",
+}
+_SECTIONS = {
+    "units": "示例：units: {{length: mm, angle: deg, mass: kg, time: s, force: N, torque: N*m}}",
+    "parameters": "示例：parameters: {{AB: 155, BC: 395}}",
+    "links": "示例：links: {{crank: {{points: {{A: [0, 0], B: [60, 0]}}}}}}",
+    "joints": "示例：joints: {{guide: {{prismatic: [frame, slider], line: [F at 0 deg, C at 0 deg]}}}}。转动副由各构件上的"
+    "同名点自动生成。",
+    "assembly": "示例：assembly: {{C: left of B-D}}",
+    "drives": "示例：drives: {{motor: {{turns: crank, on: frame, speed: 60 rpm, start: 0 deg}}}}",
+    "loads": "示例：loads: {{weight: {{on: rod, at: C, force: [0, -50 N]}}}}",
+    "measures": "示例：measures: {{swing: {{span: rocker.angle}}}}",
+    "require": "示例：require: {{swing: '>= 60 deg'}}",
+    "studies": "示例：studies: {{cycle: {{turns: 1 motor}}}}",
+    "exports": "示例：exports: {{mjcf: {{duration: 2 s}}}}",
+}
+TERMS = {f"{wanted}-as": text for wanted, text in _EXAMPLES.items()} | {
+    f"section-{section}": text for section, text in _SECTIONS.items()
+}
