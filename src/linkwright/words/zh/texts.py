@@ -210,6 +210,8 @@ TEXTS: dict[str, str] = {
     "cli.out": "结果文件夹（默认：与 FILE 同处，名称为其文件名加 _linkwright）。",
     "cli.force_folder": "覆盖并非由 linkwright 写入或之后被修改过的文件。",
     "cli.csv_comments": "在 CSV 文件开头写入注释（#）：模型文件、其哈希值、日期、版本。",
+    "cli.lang": "文本、报告和消息的语言（默认为系统语言）。",
+    "cli.version": "显示版本并退出。",
     "cli.netcdf": "同时写出 netCDF 文件（SI 单位）。",
     "cli.quiet": "仅显示问题。",
     "cli.verbose": "显示全部细节：每项检查、每项输出、每个误差源。",
