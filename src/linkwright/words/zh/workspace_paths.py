@@ -28,7 +28,7 @@ TEXTS: dict[str, str] = {
     "paths.stretch.turns": "{start} .. {stop}：{drive} 换向",
     "paths.not": "部分不能：u = {stretches}",
     "paths.nothing": "不能",
-    "paths.sentence": "最小行列式为 {determinant} 的行列式最小值：经过死点时为零。",
+    "paths.sentence": "“最小行列式”指 {determinant} 的行列式的最小值，经过死点时为零。",
     "paths.kind.path": "要求的轨迹",
     "paths.kind.blocked": "不能跟踪的部分",
     "paths.chart.value": "{path}：驱动的数值",
