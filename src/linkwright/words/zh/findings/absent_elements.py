@@ -62,7 +62,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "element.screw": (
         "“{name}”：linkwright 尚不支持螺旋副。",
-        "直接驱动螺母：设置移动副（或两点之间的缸），其速度为导程乘以转速，例如“speed: 5 mm*4/(1 s)”。力矩等于驱动力乘以 导程/(2*pi)。",
+        "直接驱动螺母：设置移动副（或两点之间的缸），其速度为导程乘以转速，例如“speed: 5 mm*4/(1 s)”。力矩等于驱动力与导程之积除以 2*pi。",
     ),
     "element.slide": (
         "“{name}”：移动副在 joints 中以 prismatic 定义。",
@@ -73,7 +73,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "例如“joints: {{slot: {{pin_in_slot: [crank, lever], pin: B, straight: C at 0 deg}}}}”，其中 B 为 crank 上的点，C 为 lever 上的点。",
     ),
     "element.weld": (
-        "“{name}”：linkwright 没有焊接或固定连接的运动副。",
+        "“{name}”：linkwright 不提供焊接或固定副。",
         "彼此没有相对运动的各构件应合为一个构件：将各点都定义在该构件上；若有多个质量，将其作为配重添加。完全不动的部分属于机架。",
     ),
 }

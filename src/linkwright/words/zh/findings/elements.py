@@ -6,7 +6,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "{hint}",
     ),
     "model.frame-mass": (
-        "为机架定义了质量；机架不运动，其质量不起作用。",
+        "给出了机架的质量，但机架不运动，其质量不起作用。",
         "删除该质量。",
     ),
     "model.no-moving-link": (
@@ -42,11 +42,11 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "移动副给出 prismatic 和 line，转动副给出 revolute 和 at。",
     ),
     "joint.line": (
-        "移动副必须在两个构件上各给出一条直线，且只需要这两条直线。",
+        "移动副需要在两个构件上各给出一条直线，不需要其他定义。",
         "写 line: [H at 0 deg, G at 0 deg]：对每个构件给出一点和直线的方向。",
     ),
     "joint.at": (
-        "转动副必须在两个构件上各给出一点，且只需要这两个点。",
+        "转动副需要在两个构件上各给出一点，不需要其他定义。",
         "写 at: [P, Q]：第一个构件上的一点和第二个构件上的一点。",
     ),
     "joint.slot": (

@@ -70,7 +70,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "检查其中所用的数值和参数。",
     ),
     "value.too-small": (
-        "{what}为 {value} {unit}，数值过小。",
+        "{what}为 {value} {unit}，过小。",
         "给出正值。",
     ),
     "value.rod": (

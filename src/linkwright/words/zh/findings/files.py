@@ -122,7 +122,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "缩短文本；将长表达式的各部分定义为参数。",
     ),
     "file.more": (
-        "另有至少 {count} 个问题。",
+        "至少还有 {count} 个问题。",
         "先修正上述问题；其余问题多数可能由它们引起。",
     ),
     "file.missing": (

@@ -18,11 +18,11 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "以草图所示位置为起点写运动规律：“position: sketch + ...”。若本意如此，以“{apart}”开头。",
     ),
     "plausible.lengths": (
-        "长度相差 {ratio} 倍：{short} 为 {low}，{long} 为 {high}。",
+        "长度之比达 {ratio}：{short} 为 {low}，{long} 为 {high}。",
         "检查二者的单位。若长度无误，则无需修改。",
     ),
     "plausible.masses": (
-        "质量相差 {ratio} 倍：{light} 为 {low}，{heavy} 为 {high}。",
+        "质量之比达 {ratio}：{light} 为 {low}，{heavy} 为 {high}。",
         "检查二者的单位。若质量无误，则无需修改。",
     ),
     "plausible.speed": (
@@ -47,7 +47,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "motion.travel": (
         "移动副 {name} 在 t = {leaves} s（{drive} = {leaves_value} {unit}）时超出其行程（{low} 至 {high} {length_unit}）；超出量在 t = {time} "
-        "s（{drive} = {value} {unit}）时最大：此时位移为 {travel} {length_unit}，{end}限值 {by} {length_unit}。",
+        "s（{drive} = {value} {unit}）时最大：此时位移为 {travel} {length_unit}，{end}限值，超出 {by} {length_unit}。",
         "限制驱动的范围，修改尺寸，或增大移动副的行程。",
     ),
 }

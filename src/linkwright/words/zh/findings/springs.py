@@ -6,7 +6,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "给出 from 和 to（两个点）；扭簧给出 turns 和 on（两个构件）。",
     ),
     "spring.law": (
-        "弹簧必须给出且只给出一种力学特性，阻尼可有可无；已给出：{given}。",
+        "弹簧必须给出且只给出一种力学特性（可另加阻尼）；已给出：{given}。",
         "在 stiffness、force（扭簧为 torque）和 gas 中只给出一项，或只给出 damping。",
     ),
     "spring.stray": (
@@ -18,7 +18,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "添加 free，即弹簧的力等于预紧力（无预紧力时为零）时的长度；扭簧为角度。",
     ),
     "spring.gas": (
-        "仅有最大长度时的力不能确定气弹簧：缺少力的增长特性。",
+        "仅有最大长度时的力不能确定气弹簧：缺少力随压缩增大的比率。",
         "添加 progression（最小长度时的力与最大长度时的力之比）和 length: [最小长度, 最大长度]。",
     ),
     "spring.progression": (

@@ -36,7 +36,7 @@ TERMS: dict[str, str] = {
     "slot-radius": "半径",
     "two-points": "[POINT, POINT]，两个构件上各一点",
     "two-lines": "[POINT at ANGLE, POINT at ANGLE]，两个构件上各一条",
-    "points": "带名称的点",
+    "points": "按名称给出的点",
     "turns": "圈数及相应的驱动，例如“1 motor”",
     "numbers": "数值列表",
     "segments": "区段列表",
@@ -92,10 +92,10 @@ TERMS: dict[str, str] = {
     "drawn-far": "它到原点的距离超过自身尺寸的 {limit} 倍",
     "drawn-long": "其点数超过 {limit}",
     # What is wrong with the length of a run.
-    "one-length": "period、duration、turns 只能给出其中之一",
+    "one-length": "应在 period、duration、turns 中给出且只给出一项",
     "length-positive": "应为正数",
     "length-limit": "分析时长将达 {seconds} s，而上限为 {limit} s；应减少圈数、缩短时间或加快驱动",
-    "turns-form": "“{text}”不是正数加驱动的形式，正确形式例如“2 {drive}”",
+    "turns-form": "“{text}”应为正数加驱动名的形式，例如“2 {drive}”",
     "turns-constant": "{drive} 不是匀速转动，应改为给出 duration",
     "turns-none": "{drive} 不转动",
     # What isn't a regular file.
@@ -164,7 +164,7 @@ TERMS: dict[str, str] = {
     "radius": "半径",
     "length": "最短长度",
     "period": "周期",
-    "within": "带宽",
+    "within": "容许带宽度",
     "side": "短边长度",
     # Why an expression can't be read.
     "syntax-empty": "内容为空",
