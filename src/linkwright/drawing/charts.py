@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from linkwright.escape import markup, printed
 from linkwright.findings import Joined, Text
+from linkwright.presentation.lettering import columns
 
 Array = NDArray[np.float64]
 
@@ -80,7 +81,7 @@ class Axes:
         for place, text, line in self._below():
             x = float(self.across(np.array(place)))
             lines += [f"M{x:.1f} {TOP:.0f}V{HEIGHT - BOTTOM:.0f}"] if line else []
-            x = min(x, WIDTH - LETTER * len(text) / 2)
+            x = min(x, WIDTH - LETTER * columns(text) / 2)
             numbers.append(f'<text x="{x:.1f}" y="{HEIGHT - BOTTOM + 14:.0f}" text-anchor="middle">{text}</text>')
         for value in ticks(*self.y, 5):
             y = float(self.up(np.array(value)))
@@ -110,7 +111,11 @@ def widened(low: float, high: float) -> tuple[float, float]:
 def shortened(name: Text, letters: int) -> str:
     """A name in so much room."""
     text = str(name)
-    return text if len(text) <= letters else text[: max(letters - 1, 1)] + "…"
+    if columns(text) <= letters:
+        return text
+    while len(text) > 1 and columns(text) > letters - 1:
+        text = text[:-1]
+    return text + "…"
 
 
 def ticks(low: float, high: float, count: int) -> list[float]:

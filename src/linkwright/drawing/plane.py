@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from linkwright.drawing.charts import LETTER, points, ticks
 from linkwright.escape import markup
 from linkwright.findings import Text
+from linkwright.presentation.lettering import FONT, folded
 
 Array = NDArray[np.float64]
 Bounds = tuple[float, float, float, float]
@@ -19,25 +20,25 @@ Bounds = tuple[float, float, float, float]
 WIDTH, LEFT, RIGHT, TOP, BOTTOM, LINE = 560.0, 58.0, 12.0, 8.0, 36.0, 17.0
 TALLEST = 700.0
 MARGIN = 0.04
-STYLE = """
-.still.workspace text { font: 12px system-ui, Arial, "DejaVu Sans", "Liberation Sans", "Noto Sans", sans-serif; }
-.still.workspace .grid { fill: none; stroke: #8886; stroke-width: 0.5; }
-.still.workspace .region { fill-opacity: 0.28; stroke: none; fill-rule: evenodd; }
-.still.workspace .path { fill: none; stroke-width: 1.6; }
-.still.workspace .m0 { fill: #1f6fb5; stroke: #1f6fb5; }
-.still.workspace .m1 { fill: #c2571a; stroke: #c2571a; }
-.still.workspace .m2 { fill: #2f8a4c; stroke: #2f8a4c; }
-.still.workspace .m3 { fill: #8a4fb5; stroke: #8a4fb5; }
-.still.workspace .region { stroke: none; }
-.still.workspace .path { fill: none; }
-.still.workspace .kind { fill: none; stroke: currentColor; stroke-width: 1; }
-.still.workspace .k-modes { stroke-dasharray: 5 3; stroke-width: 1.6; }
-.still.workspace .k-pins { stroke-dasharray: 1 3; stroke-width: 2; }
-.still.workspace .k-limit { stroke: #888; stroke-width: 2; }
-.still.workspace .over { fill: none; stroke: #8a4fb5; stroke-width: 2; }
-.still.workspace .blocked, .still.workspace .misses { stroke: #c8102e; }
-.still.workspace .blocked { stroke-width: 3.5; }
-.still.workspace .fits { stroke: #2f8a4c; }
+STYLE = f"""
+.still.workspace text {{ font: 12px {FONT}; }}
+.still.workspace .grid {{ fill: none; stroke: #8886; stroke-width: 0.5; }}
+.still.workspace .region {{ fill-opacity: 0.28; stroke: none; fill-rule: evenodd; }}
+.still.workspace .path {{ fill: none; stroke-width: 1.6; }}
+.still.workspace .m0 {{ fill: #1f6fb5; stroke: #1f6fb5; }}
+.still.workspace .m1 {{ fill: #c2571a; stroke: #c2571a; }}
+.still.workspace .m2 {{ fill: #2f8a4c; stroke: #2f8a4c; }}
+.still.workspace .m3 {{ fill: #8a4fb5; stroke: #8a4fb5; }}
+.still.workspace .region {{ stroke: none; }}
+.still.workspace .path {{ fill: none; }}
+.still.workspace .kind {{ fill: none; stroke: currentColor; stroke-width: 1; }}
+.still.workspace .k-modes {{ stroke-dasharray: 5 3; stroke-width: 1.6; }}
+.still.workspace .k-pins {{ stroke-dasharray: 1 3; stroke-width: 2; }}
+.still.workspace .k-limit {{ stroke: #888; stroke-width: 2; }}
+.still.workspace .over {{ fill: none; stroke: #8a4fb5; stroke-width: 2; }}
+.still.workspace .blocked, .still.workspace .misses {{ stroke: #c8102e; }}
+.still.workspace .blocked {{ stroke-width: 3.5; }}
+.still.workspace .fits {{ stroke: #2f8a4c; }}
 """
 """How a picture looks; it stands in each picture, since one is written as a file of its own."""
 
@@ -109,18 +110,6 @@ def framed(
         f'fill="currentColor" role="img" aria-label="{markup(title)}"><style>{STYLE}</style>'
         f"{plane.grid()}{''.join(shapes)}{told}</svg>"
     )
-
-
-def folded(text: str, room: int) -> Iterator[str]:
-    """A text in lines of so many letters."""
-    line = ""
-    for word in text.split():
-        if line and len(line) + 1 + len(word) > room:
-            yield line
-            line = word
-        else:
-            line = f"{line} {word}".strip()
-    yield line
 
 
 def outline(shape: Any, plane: PicturePlane, size: float) -> str:

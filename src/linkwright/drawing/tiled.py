@@ -5,14 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from linkwright.drawing.charts import LETTER
-from linkwright.drawing.plane import LEFT, LINE, WIDTH, folded
+from linkwright.drawing.plane import LEFT, LINE, WIDTH
 from linkwright.escape import markup
 from linkwright.presentation.blocks import Chart
+from linkwright.presentation.lettering import FONT, folded
 
-TITLE = (
-    '.title { font: 600 13px system-ui, Arial, "DejaVu Sans", "Liberation Sans", "Noto Sans", sans-serif; '
-    "fill: #1d2733; }"
-)
+TITLE = f".title {{ font: 600 13px {FONT}; fill: #1d2733; }}"
 BOLD = 1.35 * LETTER
 """The width of a letter of a title."""
 ABREAST = 4

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from linkwright.drawing.charts import points
 from linkwright.escape import markup
 from linkwright.kernels import Compiled
+from linkwright.presentation.lettering import columns
 from linkwright.structure import FRAME
 from linkwright.studies.drive_sweep import sweeping
 
@@ -197,7 +198,7 @@ class _Placing:
 
     def label(self, text: str, at: Array) -> str:
         """A joint's name near it, with a line to it where it stands off."""
-        half = np.array([LETTER * len(text) / 2 + 3, LINE / 2 + 1])
+        half = np.array([LETTER * columns(text) / 2 + 3, LINE / 2 + 1])
         beside = 0.8 * half[0] * np.sign(np.round(ROUND, 6)) * [1, 0]
         spots = [(spot, way) for way in AWAY for spot in at + way * ROUND + beside]
         place, way = min(spots, key=lambda spot: self.cost(spot[0], half, spot[1]))

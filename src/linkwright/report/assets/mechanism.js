@@ -393,6 +393,9 @@ function widestGap([a, b], points) {
 }
 
 /** Names of pins and links: returns a function that moves them to a sample. */
+/** Latin names are slanted; hanzi have no slanted form. */
+const slanted = (name) => (/^[ -\u024f]*$/.test(name) ? "lw-slanted" : "");
+
 function labels(facts, view, r, parent) {
   const texts = facts.pins.map((pin) => {
     const direction = labelDirection(pin, facts);
@@ -414,7 +417,7 @@ function labels(facts, view, r, parent) {
     const colour = `lw-c${facts.colour.get(link)}`;
     const text = make(
       "text",
-      { class: `lw-label lw-name ${colour}`, "text-anchor": "middle", dy: "0.35em" },
+      { class: `lw-label lw-name ${slanted(link.name)} ${colour}`, "text-anchor": "middle", dy: "0.35em" },
       parent,
     );
     text.textContent = link.name;
@@ -611,7 +614,7 @@ const STYLE = `
 :is([data-theme="light"],[data-jp-theme-light="true"]) .lw{${LIGHT}}
 @media print{.lw.lw.lw{${LIGHT}}}
 ${COLOURS}
-.lw{color:var(--lw-ink);font:14px/1.4 system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue",Arial,sans-serif}
+.lw{color:var(--lw-ink);font:14px/1.4 system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue",Arial,"PingFang SC","Microsoft YaHei","Noto Sans CJK SC","Source Han Sans SC",sans-serif}
 .lw *{box-sizing:border-box}
 .lw svg.lw-drawing{display:block;width:100%;height:auto;background:var(--lw-paper);border-radius:6px}
 .lw-drawing text{font-size:12px;fill:var(--lw-muted)}
@@ -640,7 +643,8 @@ ${COLOURS}
 .lw-pin{fill:var(--lw-paper);stroke:var(--lw-ink);stroke-width:1.7}
 .lw-point{fill:var(--c)}
 .lw-drawing .lw-label{fill:var(--lw-ink);font-weight:600;paint-order:stroke;stroke:var(--lw-paper);stroke-width:3px;stroke-linejoin:round}
-.lw-drawing .lw-name{fill:var(--c);font-weight:400;font-style:italic}
+.lw-drawing .lw-name{fill:var(--c);font-weight:400}
+.lw-drawing .lw-name.lw-slanted{font-style:italic}
 .lw-drawing .lw-note{fill:var(--lw-warn);font-size:14px;font-weight:600}
 .lw .lw-hidden,.lw-no-points .lw-label:not(.lw-name),.lw-no-links .lw-name{display:none}
 .lw-bar,.lw-options{display:flex;align-items:center;gap:.5rem .75rem;margin-top:.5rem;flex-wrap:wrap}

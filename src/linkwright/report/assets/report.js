@@ -60,7 +60,7 @@ function limits(u, low, high) {
 
 /** Options of one plot; `scale` enlarges all of it, for the finer dots of paper. */
 function options(plot, { width, height, scale = 1 }) {
-  const font = `${11 * scale}px system-ui, -apple-system, "Segoe UI", Roboto, Arial, sans-serif`;
+  const font = `${11 * scale}px system-ui, -apple-system, "Segoe UI", Roboto, Arial, "PingFang SC", "Microsoft YaHei", "Noto Sans CJK SC", sans-serif`;
   const axis = {
     font,
     labelFont: font,

@@ -12,6 +12,7 @@ from linkwright.escape import markup
 from linkwright.expressions.units import TIME
 from linkwright.findings import Joined, Said, Text
 from linkwright.presentation.blocks import Chart
+from linkwright.presentation.lettering import columns
 from linkwright.studies.accuracy.outcome import AccuracyOutcome, MonteCarlo, OutputDeviations, SignalDeviations
 from linkwright.studies.accuracy.summary import WIDE, ranked
 
@@ -84,7 +85,7 @@ def _contributions(curve: SignalDeviations, outcome: AccuracyOutcome) -> Chart:
         shapes.append(axes.line(t, parts[i], f"line lw-c{k}"))
         shapes.append(f'<path class="line lw-c{k}" d="M{x:.0f} {TOP + 7:.0f}h10"/>')
         shapes.append(f'<text x="{x + 13:.0f}" y="{TOP + 11:.0f}">{markup(name)}</text>')
-        x += 20 + LETTER * len(name)
+        x += 20 + LETTER * columns(name)
     return Chart(title, partial(axes.drawing, shapes, title))
 
 

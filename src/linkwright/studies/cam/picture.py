@@ -17,6 +17,7 @@ from linkwright.drawing.plane import LEFT, TOP, PicturePlane
 from linkwright.escape import markup
 from linkwright.expressions import units as u
 from linkwright.findings import Said, Text
+from linkwright.presentation.lettering import FONT
 from linkwright.studies.cam.outcome import CamOutcome
 from linkwright.studies.cam.plate import Plate
 
@@ -26,17 +27,17 @@ FRAMES = 120
 SECONDS = 6
 MOST = 1500
 """Points of a line of the cutter's path."""
-STYLE = """
-.still.cam text { font: 12px system-ui, Arial, "DejaVu Sans", "Liberation Sans", "Noto Sans", sans-serif; }
-.still.cam .grid { fill: none; stroke: #8886; stroke-width: 0.5; }
-.still.cam .profile { fill: #1f6fb5; fill-opacity: 0.18; stroke: #1f6fb5; stroke-width: 2; }
-.still.cam .second { fill: #7a6a2f; stroke: #7a6a2f; fill-opacity: 0.18; stroke-width: 2; }
-.still.cam .pitch { fill: none; stroke: #2f8a4c; stroke-width: 1.2; stroke-dasharray: 5 3; }
-.still.cam .base { fill: none; stroke: #888; stroke-width: 1; stroke-dasharray: 2 3; }
-.still.cam .follower { fill: none; stroke: #c2571a; stroke-width: 2; }
-.still.cam .flank { fill: none; stroke: #1f6fb5; stroke-width: 2; }
-.still.cam .tool { fill: none; stroke: #8a4fb5; stroke-width: 1.2; }
-.still.cam .worst { fill: #c8102e; stroke: none; }
+STYLE = f"""
+.still.cam text {{ font: 12px {FONT}; }}
+.still.cam .grid {{ fill: none; stroke: #8886; stroke-width: 0.5; }}
+.still.cam .profile {{ fill: #1f6fb5; fill-opacity: 0.18; stroke: #1f6fb5; stroke-width: 2; }}
+.still.cam .second {{ fill: #7a6a2f; stroke: #7a6a2f; fill-opacity: 0.18; stroke-width: 2; }}
+.still.cam .pitch {{ fill: none; stroke: #2f8a4c; stroke-width: 1.2; stroke-dasharray: 5 3; }}
+.still.cam .base {{ fill: none; stroke: #888; stroke-width: 1; stroke-dasharray: 2 3; }}
+.still.cam .follower {{ fill: none; stroke: #c2571a; stroke-width: 2; }}
+.still.cam .flank {{ fill: none; stroke: #1f6fb5; stroke-width: 2; }}
+.still.cam .tool {{ fill: none; stroke: #8a4fb5; stroke-width: 1.2; }}
+.still.cam .worst {{ fill: #c8102e; stroke: none; }}
 """
 
 

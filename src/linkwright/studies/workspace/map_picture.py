@@ -10,10 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.drawing.charts import LETTER, points, ticks
-from linkwright.drawing.plane import LEFT, LINE, WIDTH, PicturePlane, folded, framed
+from linkwright.drawing.plane import LEFT, LINE, WIDTH, PicturePlane, framed
 from linkwright.drawing.png import png
 from linkwright.escape import markup
 from linkwright.findings import Text
+from linkwright.presentation.lettering import folded
 from linkwright.studies.workspace.maps import chained, crossings
 from linkwright.studies.workspace.mesh import halves
 

@@ -15,6 +15,7 @@ from linkwright.expressions import units as u
 from linkwright.findings import Joined, Said, Text
 from linkwright.presentation.blocks import Chart, Table, table
 from linkwright.presentation.cells import UNKNOWN, Cell, NumberCell, numbers, percent
+from linkwright.presentation.lettering import columns
 from linkwright.studies.workspace.inverse_kinematics import ServoLaw
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 from linkwright.studies.workspace.overlay import Overlay
@@ -128,5 +129,5 @@ def _chart(part: PathsOutcome, t: Array, title: Text, lines: Sequence[tuple[str,
         shapes.append(axes.line(t / second, row, f"line lw-c{k}"))
         shapes.append(f'<path class="line lw-c{k}" d="M{x:.0f} {TOP + 7:.0f}h10"/>')
         shapes.append(f'<text x="{x + 13:.0f}" y="{TOP + 11:.0f}">{markup(text)}</text>')
-        x += 20 + LETTER * len(text)
+        x += 20 + LETTER * columns(text)
     return Chart(title, partial(axes.drawing, shapes, title))

@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 
 from linkwright.drawing.charts import LETTER, ticks
 from linkwright.drawing.colour_scale import colours
-from linkwright.drawing.plane import LEFT, LINE, WIDTH, PicturePlane, folded, framed
+from linkwright.drawing.plane import LEFT, LINE, WIDTH, PicturePlane, framed
 from linkwright.escape import markup
 from linkwright.findings import Text
+from linkwright.presentation.lettering import folded
 
 Array = NDArray[np.float64]
 

@@ -1,0 +1,33 @@
+"""How wide letters are, and where a line of them may end: hanzi take two columns, and may stand at the end of a line
+without a space."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from unicodedata import east_asian_width
+
+FONT = (
+    'system-ui, Arial, "DejaVu Sans", "Liberation Sans", "Noto Sans", "PingFang SC", "Microsoft YaHei", '
+    '"Noto Sans CJK SC", "Source Han Sans SC", "WenQuanYi Micro Hei", sans-serif'
+)
+"""The fonts of pictures, as CSS has them: those of Latin letters, then those of hanzi."""
+_WIDE = "\u2e80-\u9fff\uf900-\ufaff\uff00-\uffef"
+_CLOSING = "，。；：、）”！？》"
+_PART = re.compile(f"[“（《]*[{_WIDE}][{_CLOSING}]*|[^\\s{_WIDE}]+[{_CLOSING}]*|\\s+")
+
+
+def columns(text: str) -> int:
+    """How many columns of a terminal a text takes; in pictures, how many letters' widths."""
+    return sum(2 if east_asian_width(letter) in "WF" else 1 for letter in text)
+
+
+def folded(text: str, room: int) -> Iterator[str]:
+    """A text in lines of at most ``room`` columns, but for words that are longer."""
+    row = ""
+    for part in _PART.findall(" ".join(text.split())):
+        if row and columns(row + part.rstrip()) > room:
+            yield row.rstrip()
+            row = ""
+        row += part if row else part.lstrip()
+    yield row.rstrip()
