@@ -1,14 +1,16 @@
 """A page in all languages: rendered in each, written in the present one with what the others say instead.
 
-The pages of two languages have the same tags, and differ in texts and attributes alone. Where ``?lang=TAG`` stands
-behind its address, the page's own script replaces these before anything else looks at them.
+Two languages differ in texts and attributes; an element whose own elements differ (a title in two lines in place of
+one) is replaced as a whole. Where ``?lang=TAG`` stands behind the address of a page, its own script does all that
+before anything else looks at it.
 """
 
 from __future__ import annotations
 
 import html
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 from linkwright.escape import markup
@@ -18,6 +20,10 @@ from linkwright.words import LANGUAGES, in_language, language, say
 _TAG = re.compile(r"<[^>]*>")
 _ATTRIBUTE = re.compile(r'([\w:-]+)="([^"]*)"')
 
+_ALONE = {"area", "br", "col", "hr", "img", "input", "link", "meta", "wbr"}
+"""Elements without an end tag."""
+
+Pairs = list[tuple[str, str]]
 Replaced = Mapping[str, str | Sequence[str | None]]
 """By a text as it stands what is written instead: everywhere, or at each of its places in their order (``None``: it
 stays)."""
@@ -39,6 +45,8 @@ SCRIPT = """
   if (other) {
     document.documentElement.lang = tag;
     document.title = other.title;
+    for (const [place, inside] of Object.entries(other.inside))
+      document.querySelector(`[data-place="${place}"]`).innerHTML = inside;
     const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
     while (walker.nextNode()) {
       const node = walker.currentNode;
@@ -59,6 +67,67 @@ SCRIPT = """
 """
 
 
+@dataclass
+class Element:
+    """An element of a page: its name, its start tag and what is in it as places in the page, its attributes, the texts
+    before, between and after its elements."""
+
+    name: str
+    tag: tuple[int, int]
+    attributes: list[tuple[str, str]]
+    inside: tuple[int, int] = (0, 0)
+    texts: list[str] = field(default_factory=lambda: [""])
+    elements: list[Element] = field(default_factory=list)
+
+
+def element(page: str) -> Element:
+    """The body of a page as an element: well-formed markup, as our own is."""
+    root = Element("body", (0, 0), [], (0, len(page)))
+    opened, last = [root], 0
+    for found in _TAG.finditer(page):
+        opened[-1].texts[-1] += html.unescape(page[last : found.start()])
+        last, text = found.end(), found[0]
+        if text.startswith("</"):
+            done = opened.pop()
+            done.inside = (done.inside[0], found.start())
+            continue
+        name = text.strip("</>").split()[0]
+        attributes = [(key, html.unescape(value)) for key, value in _ATTRIBUTE.findall(text)]
+        made = Element(name, found.span(), attributes, (found.end(), found.end()))
+        opened[-1].elements.append(made)
+        opened[-1].texts.append("")
+        if name not in _ALONE and not text.endswith("/>"):
+            opened.append(made)
+    root.texts[-1] += html.unescape(page[last:])
+    return root
+
+
+@dataclass
+class Differences:
+    """In what a page (``here``) differs from the same in another language (``there``): pairs of texts, pairs of
+    attributes by name, and what is inside elements that differ, by the place of their start tag's end."""
+
+    here: str
+    there: str
+    texts: Pairs = field(default_factory=list)
+    attributes: dict[str, Pairs] = field(default_factory=dict)
+    inside: dict[int, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self._compare(element(self.here), element(self.there))
+
+    def _compare(self, one: Element, other: Element) -> None:
+        for (name, value), (_, instead) in zip(one.attributes, other.attributes, strict=True):
+            self.attributes.setdefault(name, []).append((value, instead))
+        if [part.name for part in one.elements] != [part.name for part in other.elements]:
+            self.inside[one.tag[1]] = self.there[slice(*other.inside)]
+            one = other  # from here on, this is what stands there
+        for k, pair in enumerate(zip(one.texts, other.texts, strict=True)):
+            self.texts.append(pair)
+            if k < len(one.elements):
+                self._compare(one.elements[k], other.elements[k])
+
+
 def in_all_languages(title: object, body: Callable[[], str], words: Callable[[], Any]) -> str:
     """The body in the present language, below a choice of languages, with the script of the choice.
 
@@ -66,15 +135,23 @@ def in_all_languages(title: object, body: Callable[[], str], words: Callable[[],
     other scripts, which find them as ``linkwrightWords``.
     """
     present, here = language(), body()
-    others, choice = {}, []
+    others, choice, places = {}, [], set[int]()
     for name in LANGUAGES:
         with in_language(name):
             tag = say("language.tag")
             choice.append(f'<a href="?lang={tag}" lang="{tag}">{markup(say("language.name"))}</a>')
             if name != present:
-                texts, attributes = replaced(here, body())
-                more = {"title": str(title), "words": words(), "texts": texts, "attributes": attributes}
-                others[tag] = more
+                found = Differences(here, body())
+                others[tag] = {
+                    "title": str(title),
+                    "words": words(),
+                    "texts": _instead(found.texts),
+                    "attributes": {key: some for key, pairs in found.attributes.items() if (some := _instead(pairs))},
+                    "inside": found.inside,
+                }
+                places |= found.inside.keys()
+    for place in sorted(places, reverse=True):
+        here = f'{here[: place - 1]} data-place="{place}"{here[place - 1 :]}'
     label = markup(say("language.choice"))
     data = script_json({"words": words(), "others": others})
     return (
@@ -83,28 +160,7 @@ def in_all_languages(title: object, body: Callable[[], str], words: Callable[[],
     )
 
 
-def replaced(here: str, there: str) -> tuple[Replaced, Mapping[str, Replaced]]:
-    """The texts and, by name, the attributes in which a page differs from the same in another language.
-
-    Raises ValueError where their tags differ.
-    """
-    tags, others = _TAG.findall(here), _TAG.findall(there)
-    if [tag.split()[0] for tag in tags] != [tag.split()[0] for tag in others]:
-        raise ValueError("the page has other tags in another language")
-    texts = _instead(zip(_texts(here), _texts(there), strict=True))
-    pairs: dict[str, list[tuple[str, str]]] = {}
-    for one, other in zip(tags, others, strict=True):
-        for (name, value), (_, instead) in zip(_ATTRIBUTE.findall(one), _ATTRIBUTE.findall(other), strict=True):
-            pairs.setdefault(name, []).append((html.unescape(value), html.unescape(instead)))
-    attributes = {name: found for name, some in pairs.items() if (found := _instead(some))}
-    return texts, attributes
-
-
-def _texts(page: str) -> Iterator[str]:
-    return (html.unescape(text) for text in _TAG.split(page))
-
-
-def _instead(pairs: Iterator[tuple[str, str]] | Sequence[tuple[str, str]]) -> Replaced:
+def _instead(pairs: Pairs) -> Replaced:
     found: dict[str, list[str]] = {}
     for one, other in pairs:
         found.setdefault(one, []).append(other)
