@@ -14,7 +14,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "给出正值，单位与参数相同。",
     ),
     "study.cut-distribution": (
-        "分布被截断后，保留的概率小于 {share:g}。",
+        "分布的截断范围内所含的概率小于 {share:g}。",
         "扩大 low 至 high 的范围，或移动均值。",
     ),
     "study.triangle": (
@@ -90,7 +90,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "无需修改。若需要全部约束反力，放松支座（例如使一端可以滑动），直至结构静定。",
     ),
     "reactions.neutral": (
-        "运动副允许 {motions} 个载荷不做功的运动：结构仅在当前载荷下平衡。",
+        "运动副允许 {motions} 种独立的运动，载荷在这些运动上不做功：结构仅在当前载荷下平衡。",
         "若还须承受其他载荷，添加支座或杆。",
     ),
     "reactions.no-load": (
