@@ -110,7 +110,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "测量其他输出或在其他位置测量，或将其从 parameters 中删除。",
     ),
     "accuracy.poor-fit": (
-        "残差大于所给 sigma 能够解释的程度：卡方值为其自由度的 {ratio} 倍，偶然出现这种情况的概率为 {share}。",
+        "残差超出所给 sigma 能够解释的程度：卡方值为其自由度的 {ratio} 倍，偶然出现这种情况的概率为 {share}。",
         "检查是否有异常值，或是否有偏差未列入 parameters；或增大 sigma。",
     ),
     "accuracy.outliers": (

@@ -3,7 +3,7 @@
 PROBLEMS: dict[str, tuple[str, str]] = {
     "clearance.cam": (
         "{name} 处的间隙会使凸轮 {cam} 的接触点移动，而该凸轮两侧接触（closed: {closed}）；linkwright 不计算实际接触的是哪一侧。",
-        "删除该运动副；改以中心距的公差给出此间隙。",
+        "在间隙中删除该运动副，改以中心距的公差给出此间隙。",
     ),
     "clearance.no-joint": (
         "{name} 不是运动副，没有间隙。",

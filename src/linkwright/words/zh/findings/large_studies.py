@@ -6,16 +6,16 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "删除该链接，或给出其指向的路径。",
     ),
     "folder.busy": (
-        "另一个运行正在写入文件夹 {folder}。",
+        "另一个 linkwright 进程正在写入文件夹 {folder}。",
         "等待其结束，或用 --out 指定其他文件夹。",
     ),
     "folder.busy-with": (
-        "另一个运行正在写入文件夹 {folder}：{model}，开始于 {date}，主机 {host} 上的进程 {process}。",
+        "另一个 linkwright 进程正在写入文件夹 {folder}：模型 {model}，开始于 {date}，主机 {host} 上的进程 {process}。",
         "等待其结束，或用 --out 指定其他文件夹。",
     ),
     "folder.foreign": (
         "{folder} 中的以下文件将被覆盖，但它们不是由 linkwright 写入的，或写入后已被修改：{files}。",
-        "移走或改名这些文件，用 --out 指定其他文件夹，或加 --force 将其覆盖。",
+        "移走这些文件或将其改名，用 --out 指定其他文件夹，或加 --force 将其覆盖。",
     ),
     "blocks.other-version": (
         "文件 {file} 中的分析状态由 {theirs} 创建，而当前为 {ours}，两者的结果可能不同。",

@@ -34,7 +34,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "{lengths}；或从其他位姿开始。",
     ),
     "assembly.degenerate": (
-        "{links} 在起始位姿的位置不唯一：其运动副 {joints} 重合，或其直线相互平行。",
+        "{links} 在起始时的位姿不唯一：其运动副 {joints} 重合，或其直线相互平行。",
         "改正这些构件的点和直线，或从其他位姿开始。",
     ),
     "assembly.no-sketch": (
@@ -76,14 +76,14 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "motion.cannot-carry": (
         "在 t = {time} s（{drive} = {value} {unit}）时，杆组 {group} 处于奇异位形，运动无法通过该处继续：由邻近位姿不能确定其极限。",
-        "使驱动平滑地通过该位置，不停顿且加速度不突变；载荷在该处也应平滑，不出现时间窗的端点或表的拐点。或改变长度或驱动的范围，避开该位置。",
+        "使驱动平滑地通过该位置，不停顿且加速度不突变；载荷在该处也应平滑，不出现时间窗的端点或表的折点。或改变长度或驱动的范围，避开该位置。",
     ),
     "motion.starts-at-change-point": (
         "运动从杆组 {group} 的转折点开始（t = {time} s，{drive} = {value} {unit}），该处两种装配模式重合。规则“{rules}”选定了运动继续时的装配模式。",
         "对照图样检查这是否为所需的运动，或从其他位姿开始。",
     ),
     "motion.unbounded-forces": (
-        "在 t = {time} s（{drive} = {value} {unit}）时，杆组 {group} 位于转折点，此时任一构件都不能带动另一构件转动，以下各力无限增大："
+        "在 t = {time} s（{drive} = {value} {unit}）时，杆组 {group} 位于转折点，此时任一构件都不能带动另一构件转动，以下各力（矩）无限增大："
         "{signals}。它们在该时刻没有值。",
         "用其他方式传递载荷：第三个曲柄、飞轮或齿轮可使平行四边形机构通过转折点。",
     ),

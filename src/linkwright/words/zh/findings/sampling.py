@@ -7,7 +7,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "varied.passage": (
         "运动通过转折点继续（through: keep），而 {names} 取其他值会使该转折点移动。",
-        "只变动运动不经过转折点的机构的参数。",
+        "只有运动不经过转折点时，才能变动其参数。",
     ),
     "varied.table": (
         "表 {table} 的 x 值或周期与变动的参数 {names} 有关。",
@@ -22,11 +22,11 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "缩小变动参数的范围，或将相关的尺寸定义为变动参数的表达式。",
     ),
     "varied.drive": (
-        "{samples} 个样本中有 {count} 个，其 {drive} 的运动规律没有有限值；第一个为样本 {sample}，在 t = {time} s 时。",
+        "{samples} 个样本中有 {count} 个，其 {drive} 的运动规律没有有限值；首个为样本 {sample}，发生在 t = {time} s 时。",
         "缩小其位置表达式中参数的范围，或修改运动规律。",
     ),
     "varied.cannot-assemble": (
-        "{samples} 个样本中有 {count} 个不能装配；第一个为样本 {sample}，在 t = {time} s 时，{links} 的 {joints} 相距 "
+        "{samples} 个样本中有 {count} 个不能装配；第一个为样本 {sample}：在 t = {time} s 时，{links} 的 {joints} 相距 "
         "{distance} {unit}，{short}。",
         "缩小变动长度的范围，或只使用其余样本。",
     ),
@@ -58,11 +58,11 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     "accuracy.samples-fail": (
         "公差范围内的 {samples} 个随机样本中，有 {count} 个至少缺少一项输出的数值：{share} %（全部产品的 95 % 置信区间为 "
         "{low} 至 {high} %）。每项输出的结果只使用有该数值的样本。",
-        "收紧公差，或修改尺寸，使机构在公差范围内都能装配。",
+        "收紧公差，或修改尺寸，使机构在公差范围内的任意尺寸下都能装配。",
     ),
     "accuracy.points-fail": (
         "公差范围内的 {samples} 个样本中，有 {count} 个至少缺少一项输出的数值：{share} %。每项输出的结果只使用有该数值的样本。",
-        "收紧公差，或修改尺寸，使机构在公差范围内都能装配。若需要该比例的置信区间，采用采样方案 random 或 latin。",
+        "收紧公差，或修改尺寸，使机构在公差范围内的任意尺寸下都能装配。若需要该比例的置信区间，采用采样方案 random 或 latin。",
     ),
     "accuracy.law": (
         "若只有 {names} 存在偏差，运动规律 {law} 的各段之和不再等于其周期，或不再首尾相接，或不再连续。",
@@ -74,6 +74,6 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "accuracy.vertices-fail": (
         "在极值的搜索中，公差范围内的 {looked} 个点有 {lost} 个不能装配或跟踪：所得极值只覆盖可以装配和跟踪的点。",
-        "收紧公差，或修改尺寸，使机构在公差范围内都能装配。",
+        "收紧公差，或修改尺寸，使机构在公差范围内的任意尺寸下都能装配。",
     ),
 }

@@ -2,7 +2,7 @@
 
 PROBLEMS: dict[str, tuple[str, str]] = {
     "study.needs-cycle": (
-        "分析 {study} 使用文件中 cycle 分析的运动，但文件中没有 cycle。",
+        "{study} 分析使用文件中 cycle 分析的运动，但文件中没有 cycle。",
         "在与其同级的位置添加，例如 cycle: {{turns: 1 motor, samples: 360}}。",
     ),
     "study.one-value": (
@@ -54,7 +54,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "检查是否有奇异位形、凸轮卡死从动件、除以零，或运动未进入时间窗；或缩小参数的范围。",
     ),
     "study.alone": (
-        "分析 {study} 用于没有驱动的结构，而 {name} 需要运动。",
+        "{study} 分析用于没有驱动的结构，而 {name} 需要运动。",
         "将 {name} 移到另一个带驱动的文件中。",
     ),
     "reactions.drives": (
@@ -79,7 +79,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "reactions.not-finite": (
         "{links} 上的载荷没有有限值。",
-        "检查是否超出表的范围取值，或除以零；载荷所取的时刻由选项 at 设置。",
+        "检查表的取值是否超出其范围，或是否除以零；载荷所取的时刻由选项 at 设置。",
     ),
     "reactions.moves": (
         "结构不平衡：其运动副允许 {links} 运动，且载荷在该运动上做功。",

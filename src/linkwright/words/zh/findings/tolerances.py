@@ -34,8 +34,8 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "改正公差或其单位。可能为零的坐标，其值写为零。",
     ),
     "tolerance.derived": (
-        "{name} 由其他参数计算得到（{text}），不能有自己的公差。",
-        "将公差赋予这些参数，或在表达式中加上一个误差参数，例如 {name}_error: 0。",
+        "{name} 由其他参数计算得到（{text}），不能单独给出公差。",
+        "为这些参数给出公差，或在表达式中加上一个误差参数，例如 {name}_error: 0。",
     ),
     "tolerance.size": (
         "{given} 中没有 {asked} {unit} 的公差：其范围为 {low} 至 {high} {unit}。",
@@ -54,7 +54,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "在 parameters 中为其给出公差；或写 general: ISO 2768-m，该等级适用于长度以及给出短边长度（side）的角度。",
     ),
     "tolerance.named-twice": (
-        "{name} 列出了两次。",
+        "{name} 重复列出。",
         "每个参数只列一次。",
     ),
     "tolerance.none": (
@@ -74,7 +74,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "{near}误差源是带公差的参数或温度变化。",
     ),
     "tolerance.correlation-twice": (
-        "{name} 在同一相关条目中列出了两次。",
+        "{name} 在同一相关条目中重复列出。",
         "每个偏差只列一次；偏差与其自身的相关系数恒为 1。",
     ),
     "tolerance.correlation-pair": (

@@ -6,19 +6,19 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "写 points、file 或 drawing，或将 x 和 y 写成 u 的公式。",
     ),
     "workspace.path-pace": (
-        "沿要求的轨迹运动时，必须给定电机的恒定速度或总时间之一。",
+        "要求的轨迹按电机的恒定速度跟踪，或按给定的时间跟踪，二者只取其一。",
         "写 speed（例如 speed: 30 rpm）或 duration（例如 duration: 2 s），不能同时写。",
     ),
     "workspace.path-key": (
         "{key} 只能与 {of} 一起使用。",
-        "将其删除，或添加其所属的项。",
+        "将其删除，或添加与其配合使用的项。",
     ),
     "workspace.path-still": (
         "电机的速度为零，不能跟踪轨迹。",
         "给出速度，例如 30 rpm；负值表示反向。",
     ),
     "workspace.path-none": (
-        "要求的轨迹 {name} 在 {count} 个区域中都不能跟踪。最接近的是模式 {mode}（取值：{values}）；其不能跟踪的原因另行列出。",
+        "要求的轨迹 {name} 在 {count} 个区域中都不能跟踪。最接近的区域（模式：{mode}；取值：{values}）中不能跟踪的原因另行列出。",
         "查看这些原因；汇总中列出了所有尝试，以及轨迹中不能跟踪的区段。",
     ),
     "workspace.section-drives": (
@@ -104,11 +104,11 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "使轨迹在该处结束，或按时间给出轨迹（duration），由两个驱动共同跟踪。",
     ),
     "workspace.path-dead": (
-        "要求的轨迹经过 {count} 个第一类奇异位形，第一个在 {time:.6g} s 时：{point} 在该处只能沿一个方向运动，驱动的误差与轨迹误差的平方根成正比。",
-        "确保驱动精确地按其运动规律运动；若能改用避开奇异曲线的轨迹，{point} 可得到更好的引导。",
+        "要求的轨迹经过 {count} 个第一类奇异位形，第一个在 t = {time:.6g} s 时：{point} 在该处只能沿一个方向运动，驱动的误差与轨迹误差的平方根成正比。",
+        "确保驱动精确地按其运动规律运动；若有避开奇异曲线的轨迹可用，则 {point} 的运动更易保证。",
     ),
     "workspace.servo-reverses": (
-        "沿要求的轨迹，{servo} 换向 {count} 次，第一次在 {time:.6g} s 时，但设置了 never_reverse。",
+        "沿要求的轨迹，{servo} 换向 {count} 次，第一次在 t = {time:.6g} s 时，但设置了 never_reverse。",
         "改用其他轨迹、电机速度或起点；或允许换向。",
     ),
 }
