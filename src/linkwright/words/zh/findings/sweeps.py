@@ -59,7 +59,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "reactions.drives": (
         "机构由 {names} 驱动，而 reactions 分析用于没有驱动的结构。",
-        "若要求运动中的力，写 studies: {{cycle: ...}}；否则删除驱动。",
+        "若需求解运动中的力，写 studies: {{cycle: ...}}；否则删除驱动。",
     ),
     "reactions.time": (
         "时间“{text}”既不是零，也不是正数。",

@@ -18,7 +18,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "给出速度，例如 30 rpm；负值表示反向。",
     ),
     "workspace.path-none": (
-        "要求的轨迹 {name} 在 {count} 个区域中都不能跟踪。最接近的区域（模式：{mode}；取值：{values}）中不能跟踪的原因另行列出。",
+        "要求的轨迹 {name} 在 {count} 个区域中都不能跟踪。最接近可行的是模式为 {mode} 的区域（取值：{values}），其不能跟踪的原因另行列出。",
         "查看这些原因；汇总中列出了所有尝试，以及轨迹中不能跟踪的区段。",
     ),
     "workspace.section-drives": (
