@@ -87,7 +87,7 @@ def _card(card: Card, section: str) -> str:
 
 @html.register
 def _(block: Measures) -> str:
-    heads = (say(f"report.{head}") for head in ("measure", "value", "where", "requirement", "verdict"))
+    heads = (markup(say(f"report.{head}")) for head in ("measure", "value", "where", "requirement", "verdict"))
     return table("measures", heads, map(_measure, block.measures))
 
 
@@ -111,7 +111,7 @@ def _measure(measure: Measure) -> Sequence[str]:
 
 @html.register
 def _(block: Checks) -> str:
-    heads = (say(f"report.{head}") for head in ("check", "figure", "meaning", "verdict"))
+    heads = (markup(say(f"report.{head}")) for head in ("check", "figure", "meaning", "verdict"))
     total, passed = len(block.checks), len(block.checks) - len(block.failed)
     line = mark(passed == total, say("report.summary_checks", ok=passed, total=total))
     after = "".join(f'<p class="note">{markup(remark)}</p>' for remark in block.remarks)
