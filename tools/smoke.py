@@ -396,7 +396,7 @@ def units(names: list[str]) -> list[Unit]:
         *((smoke_model, path) for path in sorted(ROOT.glob("examples/*.yaml"))),
         *((smoke_gallery, path) for path in sorted(ROOT.glob("src/linkwright/gallery/*.yaml")) if not has_source(path)),
         *((smoke_script, path) for path in sorted(ROOT.glob("examples/*.py"))),
-        *((smoke_document, path) for path in [*ROOT.glob("README.md"), *sorted(ROOT.glob("docs/**/*.md"))]),
+        *((smoke_document, path) for path in [*sorted(ROOT.glob("README*.md")), *sorted(ROOT.glob("docs/**/*.md"))]),
     ]
     if not names:
         return found
