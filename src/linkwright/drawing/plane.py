@@ -108,8 +108,15 @@ def framed(
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" class="lw still workspace" viewBox="0 0 {WIDTH:.0f} {y:.0f}" '
         f'fill="currentColor" role="img" aria-label="{markup(title)}"><style>{STYLE}</style>'
-        f"{plane.grid()}{''.join(shapes)}{told}</svg>"
+        f"{plane.grid()}{''.join(shapes)}<g>{told}</g></svg>"
     )
+
+
+def heading(text: Text, top: float) -> tuple[str, float]:
+    """A text in lines over a scale, its first line at ``top``, and where its last line is."""
+    rows = [*folded(str(text), int((WIDTH - LEFT) / LETTER))]
+    lines = (f'<text x="{LEFT:.0f}" y="{top + LINE * i:.0f}">{markup(row)}</text>' for i, row in enumerate(rows))
+    return f"<g>{''.join(lines)}</g>", top + LINE * (len(rows) - 1)
 
 
 def outline(shape: Any, plane: PicturePlane, size: float) -> str:

@@ -8,8 +8,8 @@ from typing import Any
 
 from linkwright import _version
 from linkwright.escape import markup
+from linkwright.findings import Said
 from linkwright.presentation.languages import in_all_languages
-from linkwright.words import say
 
 # The browser itself is told to load nothing, so that the file stays self-contained whatever is put into it.
 POLICY = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:"
@@ -33,7 +33,7 @@ def html_file(
     """
     of_kind = f' class="{kind}"' if kind else ""
     return f"""<!DOCTYPE html>
-<html lang="{say("language.tag")}">
+<html lang="{Said("language.tag")}">
 <head>
 <meta charset="utf-8">
 <meta http-equiv="Content-Security-Policy" content="{POLICY}">

@@ -14,8 +14,9 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from linkwright.escape import markup
+from linkwright.findings import Said
 from linkwright.presentation.payload import script_json
-from linkwright.words import LANGUAGES, in_language, language, say
+from linkwright.words import LANGUAGES, in_language, language
 
 _TAG = re.compile(r"<[^>]*>")
 _ATTRIBUTE = re.compile(r'([\w:-]+)="([^"]*)"')
@@ -138,21 +139,21 @@ def in_all_languages(title: object, body: Callable[[], str], words: Callable[[],
     others, choice, places = {}, [], set[int]()
     for name in LANGUAGES:
         with in_language(name):
-            tag = say("language.tag")
-            choice.append(f'<a href="?lang={tag}" lang="{tag}">{markup(say("language.name"))}</a>')
+            tag = str(Said("language.tag"))
+            choice.append(f'<a href="?lang={tag}" lang="{tag}">{markup(Said("language.name"))}</a>')
             if name != present:
                 found = Differences(here, body())
                 others[tag] = {
                     "title": str(title),
                     "words": words(),
-                    "texts": _instead(found.texts),
-                    "attributes": {key: some for key, pairs in found.attributes.items() if (some := _instead(pairs))},
+                    "texts": instead(found.texts),
+                    "attributes": {key: some for key, pairs in found.attributes.items() if (some := instead(pairs))},
                     "inside": found.inside,
                 }
                 places |= found.inside.keys()
     for place in sorted(places, reverse=True):
         here = f'{here[: place - 1]} data-place="{place}"{here[place - 1 :]}'
-    label = markup(say("language.choice"))
+    label = markup(Said("language.choice"))
     data = script_json({"words": words(), "others": others})
     return (
         f'<nav class="languages screen" aria-label="{label}" hidden>{"".join(choice)}</nav>\n{here}\n'
@@ -160,7 +161,8 @@ def in_all_languages(title: object, body: Callable[[], str], words: Callable[[],
     )
 
 
-def _instead(pairs: Pairs) -> Replaced:
+def instead(pairs: Pairs) -> Replaced:
+    """What is written in place of texts, from pairs of what stands there and what would in another language."""
     found: dict[str, list[str]] = {}
     for one, other in pairs:
         found.setdefault(one, []).append(other)

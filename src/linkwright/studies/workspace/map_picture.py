@@ -9,12 +9,10 @@ from zlib import crc32
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.drawing.charts import LETTER, points, ticks
-from linkwright.drawing.plane import LEFT, LINE, WIDTH, PicturePlane, framed
+from linkwright.drawing.charts import points, ticks
+from linkwright.drawing.plane import LEFT, WIDTH, PicturePlane, framed, heading
 from linkwright.drawing.png import png
-from linkwright.escape import markup
 from linkwright.findings import Text
-from linkwright.presentation.lettering import folded
 from linkwright.studies.workspace.maps import chained, crossings
 from linkwright.studies.workspace.mesh import halves
 
@@ -169,10 +167,8 @@ def _lines(plane: PicturePlane, axes: tuple[Array, Array], values: Array) -> Ite
 
 def _scale(plane: PicturePlane, levels: Sequence[float], name: Text) -> tuple[str, float]:
     """The colours with the values between them, below the axes, and how much room they take."""
-    top = plane.bottom + 56
-    rows = [*folded(str(name), int((WIDTH - LEFT) / LETTER))]
-    made = "".join(f'<text x="{LEFT:.0f}" y="{top + LINE * i:.0f}">{markup(row)}</text>' for i, row in enumerate(rows))
-    top += LINE * (len(rows) - 1) + 6
+    made, top = heading(name, plane.bottom + 56)
+    top += 6
     wide = min((WIDTH - LEFT - 20) / (len(levels) + 1), 70.0)
     for k, (red, green, blue) in enumerate(colours(len(levels) + 1).tolist()):
         place = f'x="{LEFT + k * wide:.1f}" y="{top:.0f}" width="{wide:.1f}" height="12"'

@@ -10,12 +10,11 @@ from zlib import crc32
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.drawing.charts import LETTER, ticks
+from linkwright.drawing.charts import ticks
 from linkwright.drawing.colour_scale import colours
-from linkwright.drawing.plane import LEFT, LINE, WIDTH, PicturePlane, framed
+from linkwright.drawing.plane import LEFT, WIDTH, PicturePlane, framed, heading
 from linkwright.escape import markup
 from linkwright.findings import Text
-from linkwright.presentation.lettering import folded
 
 Array = NDArray[np.float64]
 
@@ -135,10 +134,8 @@ def _path(lines: Sequence[Array], fine: float) -> str:
 
 def _bar(plane: PicturePlane, scale: Scale, own: str) -> tuple[str, float]:
     """The scale below the axes, and how much room it takes."""
-    top = plane.bottom + 56
-    rows = [*folded(str(scale.name), int((WIDTH - LEFT) / LETTER))]
-    made = "".join(f'<text x="{LEFT:.0f}" y="{top + LINE * i:.0f}">{markup(row)}</text>' for i, row in enumerate(rows))
-    top += LINE * (len(rows) - 1) + 8
+    made, top = heading(scale.name, plane.bottom + 56)
+    top += 8
     left, wide = LEFT, min(WIDTH - LEFT - 30, 420.0)
     name = f"s{crc32(own.encode()):x}"
     shares = np.linspace(0, 1, STOPS + 1)
