@@ -20,6 +20,7 @@ from linkwright.presentation.blocks import Copied, Measures, Section
 from linkwright.report import ReportData, Scene, page
 from linkwright.report.build import report_data
 from linkwright.studies.accuracy.report import report as accuracy_report
+from linkwright.words import in_language
 
 pytestmark = pytest.mark.browser
 sync_api = pytest.importorskip("playwright.sync_api")
@@ -488,3 +489,52 @@ def test_without_scripts_and_on_paper_all_pictures_are_seen(show: Any) -> None:
     boxes = [one.bounding_box() for one in view.page.locator("#workspace .stack figure").all()]
     corners = {(box["x"], box["y"]) for box in boxes if box is not None}
     assert len(corners) == 6
+
+
+SAID = """() => {
+  const texts = [];
+  const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  while (walker.nextNode()) {
+    const { data, parentNode } = walker.currentNode;
+    if (!["script", "style", "noscript"].includes(parentNode.localName) && data.trim()) texts.push(data.trim());
+  }
+  for (const element of document.body.querySelectorAll("[aria-label], [data-head], [title]"))
+    for (const name of ["aria-label", "data-head", "title"]) texts.push(element.getAttribute(name));
+  return [document.documentElement.lang, document.title, ...texts];
+}"""
+
+
+def test_a_page_in_another_language_is_the_page_of_that_language(
+    browser: Any, report: ReportData, accuracy: Section, tmp_path: Path
+) -> None:
+    """Written in English and switched, or written in Chinese: the same texts, labels, words of drawing and plots."""
+    for name in ("en", "zh"):
+        with in_language(name):
+            (tmp_path / f"{name}.html").write_text(page(report), encoding="utf-8")
+    english = Opened(browser, tmp_path / "en.html")
+    before = english.page.evaluate(SAID)
+    english.page.get_by_role("link", name="简体中文").click()
+    english.page.wait_for_url("**?lang=zh-CN")
+    english.settle()
+    chinese = Opened(browser, tmp_path / "zh.html")
+    assert english.page.evaluate(SAID) == chinese.page.evaluate(SAID) != before
+    chinese.page.get_by_role("link", name="English").click()
+    chinese.page.wait_for_url("**?lang=en")
+    chinese.settle()
+    assert chinese.page.evaluate(SAID) == before
+    assert english.complaints == chinese.complaints == []
+    for each in (english, chinese):
+        each.context.close()
+
+
+def test_hanzi_are_not_slanted(show: Any, report: ReportData) -> None:
+    moving = next(link for link in report["scene"]["links"] if not link["fixed"])
+    for joint in report["scene"]["joints"]:
+        joint["links"] = ["曲柄" if name == moving["name"] else name for name in joint["links"]]
+    moving["name"] = "曲柄"
+    view = show(report)
+    styles = view.page.locator("#drawing .lw-name").evaluate_all(
+        "names => names.map(name => [name.textContent, getComputedStyle(name).fontStyle])"
+    )
+    assert dict(styles)["曲柄"] == "normal"
+    assert {style for name, style in styles if name.isascii()} == {"italic"}

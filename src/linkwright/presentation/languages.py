@@ -46,6 +46,7 @@ SCRIPT = """
   if (other) {
     document.documentElement.lang = tag;
     document.title = other.title;
+    document.querySelector("nav.languages").ariaLabel = other.choice;
     for (const [place, inside] of Object.entries(other.inside))
       document.querySelector(`[data-place="${place}"]`).innerHTML = inside;
     const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
@@ -145,6 +146,7 @@ def in_all_languages(title: object, body: Callable[[], str], words: Callable[[],
                 found = Differences(here, body())
                 others[tag] = {
                     "title": str(title),
+                    "choice": str(Said("language.choice")),
                     "words": words(),
                     "texts": instead(found.texts),
                     "attributes": {key: some for key, pairs in found.attributes.items() if (some := instead(pairs))},
