@@ -44,6 +44,7 @@ PUBLIC = [
     "compile",
     "dump",
     "export",
+    "in_language",
     "load",
     "modes",
     "plate_cam",

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from linkwright.model.document import Document, dump, load, save
     from linkwright.model.mechanism import Mechanism
     from linkwright.results import Certificate, Result, Run
+    from linkwright.words import in_language
 
 
 _PLACES = {
@@ -41,6 +42,7 @@ _PLACES = {
     "compile": ("linkwright.compilation", "compile_model"),
     "dump": ("linkwright.model.document", "dump"),
     "export": ("linkwright.app", "export"),
+    "in_language": ("linkwright.words", "in_language"),
     "load": ("linkwright.model.document", "load"),
     "modes": ("linkwright.app", "modes"),
     "plate_cam": ("linkwright.app", "plate_cam"),
@@ -66,6 +68,7 @@ __all__ = [
     "compile",
     "dump",
     "export",
+    "in_language",
     "load",
     "modes",
     "plate_cam",
