@@ -2,9 +2,11 @@
 
     .venv/bin/python tools/pictures.py
 
-It needs Playwright (installed for the tests) and a Chromium; LINKWRIGHT_CHROMIUM names one that isn't on the path.
+It needs Playwright and Pillow (installed for the tests) and a Chromium; LINKWRIGHT_CHROMIUM names one that isn't on the
+path.
 """
 
+import io
 import os
 import shutil
 import sys
@@ -13,6 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from PIL import Image
 from playwright.sync_api import sync_playwright
 
 import linkwright
@@ -40,6 +43,38 @@ PICTURES = (
 )
 
 
+@dataclass(frozen=True)
+class Film:
+    """The drawing of an example's report in motion: every ``stride``-th of its sampled poses, ``pause`` ms each."""
+
+    file: str
+    example: str
+    stride: int
+    pause: int
+    width: int = 560
+
+
+FILMS = (Film("paper_feeder.gif", "paper_feeder", 6, 45),)
+
+
+def film(browser: Any, film: Film, report: Path) -> None:
+    """Open the report, step through the poses and save the drawing of each."""
+    page = browser.new_page(
+        viewport={"width": film.width, "height": 1000}, color_scheme="light", reduced_motion="reduce"
+    )
+    page.goto(report.as_uri())
+    slider, frames = page.get_by_role("slider", name="time"), []
+    for pose in range(0, int(slider.get_attribute("max")), film.stride):
+        slider.fill(str(pose))
+        page.evaluate("() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
+        shot = page.locator("#drawing svg").first.screenshot()
+        frames.append(Image.open(io.BytesIO(shot)).convert("RGB").quantize(48, dither=Image.Dither.NONE))
+    frames[0].save(
+        IMAGES / film.file, save_all=True, append_images=frames[1:], duration=film.pause, loop=0, optimize=True
+    )
+    page.close()
+
+
 def take(browser: Any, picture: Picture, report: Path) -> None:
     """Open the report, set the pose and save what is on screen."""
     size = {"width": picture.width, "height": picture.height}
@@ -60,13 +95,13 @@ def main() -> int:
     path = os.environ.get("LINKWRIGHT_CHROMIUM") or next(filter(None, map(shutil.which, BROWSERS)), None)
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as play:
         browser = play.chromium.launch(executable_path=path, args=["--no-sandbox"])
-        for example in dict.fromkeys(picture.example for picture in PICTURES):
+        for example in dict.fromkeys(each.example for each in (*PICTURES, *FILMS)):
             out = Path(folder, example)
             linkwright.run(ROOT / "examples" / f"{example}.yaml", out)
-            for picture in PICTURES:
-                if picture.example == example:
-                    take(browser, picture, out / "report.html")
-                    sys.stdout.write(f"{(IMAGES / picture.file).relative_to(ROOT)}\n")
+            for made in (*PICTURES, *FILMS):
+                if made.example == example:
+                    (film if isinstance(made, Film) else take)(browser, made, out / "report.html")
+                    sys.stdout.write(f"{(IMAGES / made.file).relative_to(ROOT)}\n")
         browser.close()
     return 0
 
