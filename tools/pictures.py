@@ -23,6 +23,23 @@ import linkwright
 ROOT = Path(__file__).resolve().parents[1]
 IMAGES = ROOT / "docs" / "images"
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
+COLOURS = 40
+"""Of a film."""
+
+
+def opened(browser: Any, report: Path, width: int, height: int) -> Any:
+    """A report on screen, at rest."""
+    size = {"width": width, "height": height}
+    page = browser.new_page(viewport=size, color_scheme="light", reduced_motion="reduce")
+    page.goto(report.as_uri())
+    return page
+
+
+def set_pose(page: Any, pose: int) -> None:
+    """Show a sampled pose."""
+    page.get_by_role("slider", name="time").fill(str(pose))
+    page.evaluate("() => document.activeElement.blur()")  # no frame around the slider
+    page.evaluate("() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
 
 
 @dataclass(frozen=True)
@@ -36,57 +53,45 @@ class Picture:
     width: int = 1500
     height: int = 1010
 
-
-PICTURES = (
-    Picture("paper_feeder.png", "paper_feeder", None, 160),
-    Picture("paper_feeder_forces.png", "paper_feeder", "force", 160),
-)
+    def take(self, browser: Any, report: Path) -> None:
+        """Save what is on screen."""
+        page = opened(browser, report, self.width, self.height)
+        if self.top is not None:
+            page.locator(f"#{self.top}").evaluate("section => section.scrollIntoView()")
+        set_pose(page, self.pose)
+        page.screenshot(path=IMAGES / self.file)
+        page.close()
 
 
 @dataclass(frozen=True)
 class Film:
-    """The drawing of an example's report in motion: every ``stride``-th of its sampled poses, ``pause`` ms each."""
+    """The drawing of an example's report in motion: every ``stride``-th of its sampled poses, for ``pause`` ms each."""
 
     file: str
     example: str
     stride: int
     pause: int
-    width: int = 560
+    width: int = 500
+
+    def take(self, browser: Any, report: Path) -> None:
+        """Save the drawing of each pose, all in the colours of the first."""
+        page = opened(browser, report, self.width, 1000)
+        frames: list[Image.Image] = []
+        for pose in range(0, int(page.get_by_role("slider", name="time").get_attribute("max")), self.stride):
+            set_pose(page, pose)
+            shot = Image.open(io.BytesIO(page.locator("#drawing svg").first.screenshot())).convert("RGB")
+            first = frames[0] if frames else shot.quantize(COLOURS)
+            frames.append(shot.quantize(palette=first, dither=Image.Dither.NONE))
+        more: dict[str, Any] = {"save_all": True, "append_images": frames[1:], "duration": self.pause, "loop": 0}
+        frames[0].save(IMAGES / self.file, optimize=True, **more)
+        page.close()
 
 
-FILMS = (Film("paper_feeder.gif", "paper_feeder", 6, 45),)
-
-
-def film(browser: Any, film: Film, report: Path) -> None:
-    """Open the report, step through the poses and save the drawing of each."""
-    page = browser.new_page(
-        viewport={"width": film.width, "height": 1000}, color_scheme="light", reduced_motion="reduce"
-    )
-    page.goto(report.as_uri())
-    slider, frames = page.get_by_role("slider", name="time"), []
-    for pose in range(0, int(slider.get_attribute("max")), film.stride):
-        slider.fill(str(pose))
-        page.evaluate("() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
-        shot = page.locator("#drawing svg").first.screenshot()
-        frames.append(Image.open(io.BytesIO(shot)).convert("RGB").quantize(48, dither=Image.Dither.NONE))
-    frames[0].save(
-        IMAGES / film.file, save_all=True, append_images=frames[1:], duration=film.pause, loop=0, optimize=True
-    )
-    page.close()
-
-
-def take(browser: Any, picture: Picture, report: Path) -> None:
-    """Open the report, set the pose and save what is on screen."""
-    size = {"width": picture.width, "height": picture.height}
-    page = browser.new_page(viewport=size, color_scheme="light", reduced_motion="reduce")
-    page.goto(report.as_uri())
-    page.get_by_role("slider", name="time").fill(str(picture.pose))
-    page.evaluate("() => document.activeElement.blur()")  # no frame around the slider
-    if picture.top is not None:
-        page.locator(f"#{picture.top}").evaluate("section => section.scrollIntoView()")
-    page.evaluate("() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
-    page.screenshot(path=IMAGES / picture.file)
-    page.close()
+PICTURES = (
+    Picture("paper_feeder.png", "paper_feeder", None, 160),
+    Picture("paper_feeder_forces.png", "paper_feeder", "force", 160),
+    Film("paper_feeder.gif", "paper_feeder", 6, 45),
+)
 
 
 def main() -> int:
@@ -95,13 +100,13 @@ def main() -> int:
     path = os.environ.get("LINKWRIGHT_CHROMIUM") or next(filter(None, map(shutil.which, BROWSERS)), None)
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as play:
         browser = play.chromium.launch(executable_path=path, args=["--no-sandbox"])
-        for example in dict.fromkeys(each.example for each in (*PICTURES, *FILMS)):
+        for example in dict.fromkeys(picture.example for picture in PICTURES):
             out = Path(folder, example)
             linkwright.run(ROOT / "examples" / f"{example}.yaml", out)
-            for made in (*PICTURES, *FILMS):
-                if made.example == example:
-                    (film if isinstance(made, Film) else take)(browser, made, out / "report.html")
-                    sys.stdout.write(f"{(IMAGES / made.file).relative_to(ROOT)}\n")
+            for picture in PICTURES:
+                if picture.example == example:
+                    picture.take(browser, out / "report.html")
+                    sys.stdout.write(f"{(IMAGES / picture.file).relative_to(ROOT)}\n")
         browser.close()
     return 0
 
