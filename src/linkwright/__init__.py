@@ -9,9 +9,9 @@ The names below are the public ones; each is loaded when it is first used.
 
 from __future__ import annotations
 
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from linkwright._lazy import names_of
 from linkwright._version import __version__ as __version__
 
 if TYPE_CHECKING:
@@ -27,29 +27,29 @@ if TYPE_CHECKING:
 
 
 _PLACES = {
-    "Builder": ("linkwright.model.builder", "Builder"),
-    "Certificate": ("linkwright.results", "Certificate"),
-    "Compiled": ("linkwright.kernels", "Compiled"),
-    "Document": ("linkwright.model.document", "Document"),
-    "Finding": ("linkwright.findings", "Finding"),
-    "Job": ("linkwright.app", "Job"),
-    "Mechanism": ("linkwright.model.mechanism", "Mechanism"),
-    "ModelError": ("linkwright.findings", "ModelError"),
-    "Result": ("linkwright.results", "Result"),
-    "Run": ("linkwright.results", "Run"),
-    "accuracy": ("linkwright.app", "accuracy"),
-    "check": ("linkwright.app", "check"),
-    "compile": ("linkwright.compilation", "compile_model"),
-    "dump": ("linkwright.model.document", "dump"),
-    "export": ("linkwright.app", "export"),
-    "in_language": ("linkwright.words", "in_language"),
-    "load": ("linkwright.model.document", "load"),
-    "modes": ("linkwright.app", "modes"),
-    "plate_cam": ("linkwright.app", "plate_cam"),
-    "run": ("linkwright.app", "run"),
-    "save": ("linkwright.model.document", "save"),
-    "sweep": ("linkwright.app", "sweep"),
-    "workspace": ("linkwright.app", "workspace"),
+    "Builder": "linkwright.model.builder.Builder",
+    "Certificate": "linkwright.results.Certificate",
+    "Compiled": "linkwright.kernels.Compiled",
+    "Document": "linkwright.model.document.Document",
+    "Finding": "linkwright.findings.Finding",
+    "Job": "linkwright.app.Job",
+    "Mechanism": "linkwright.model.mechanism.Mechanism",
+    "ModelError": "linkwright.findings.ModelError",
+    "Result": "linkwright.results.Result",
+    "Run": "linkwright.results.Run",
+    "accuracy": "linkwright.app.accuracy",
+    "check": "linkwright.app.check",
+    "compile": "linkwright.compilation.compile_model",
+    "dump": "linkwright.model.document.dump",
+    "export": "linkwright.app.export",
+    "in_language": "linkwright.words.in_language",
+    "load": "linkwright.model.document.load",
+    "modes": "linkwright.app.modes",
+    "plate_cam": "linkwright.app.plate_cam",
+    "run": "linkwright.app.run",
+    "save": "linkwright.model.document.save",
+    "sweep": "linkwright.app.sweep",
+    "workspace": "linkwright.app.workspace",
 }
 
 __all__ = [
@@ -79,11 +79,7 @@ __all__ = [
 ]
 
 
-def __getattr__(name: str) -> Any:
-    if name not in _PLACES:
-        raise AttributeError(f"module 'linkwright' has no attribute {name!r}")
-    module, attribute = _PLACES[name]
-    return getattr(import_module(module), attribute)
+__getattr__ = names_of(__name__, _PLACES)
 
 
 def __dir__() -> list[str]:

@@ -216,9 +216,17 @@ class _Page(HTMLParser):
 
     def handle_data(self, data: str) -> None:
         if self.seen and self.seen[-1] == ("script", ["id", "type"]):
-            self.seen.append(_shape(json.loads(data)))
+            self.seen.append(_shape(_without_texts(json.loads(data))))
         elif self.seen and self.seen[-1] in (("script", []), ("style", [])):
             self.seen.append(data)
+
+
+def _without_texts(data: Any) -> Any:
+    """What scripts hold without the texts of a page by language, whose keys are the texts themselves."""
+    for other in data.get("others", {}).values():
+        for part in ("texts", "attributes", "inside"):
+            assert all(isinstance(value, str | list | dict) for value in other.pop(part).values())
+    return data
 
 
 def _page(text: str) -> list[Any]:

@@ -15,7 +15,8 @@ from scipy.io import netcdf_file
 import linkwright as lw
 from linkwright.app import Writing, write
 from linkwright.app.job import examine_document, perform
-from linkwright.studies import RunContext, SweepOutcome
+from linkwright.studies import RunContext
+from linkwright.studies.sweep.outcome import SweepOutcome
 from studies.models import four_bar
 
 VARY = {"a": {"normal": 40, "sigma": 0.05}, "b": ["110 mm", 120, 250]}

@@ -19,7 +19,7 @@ from linkwright.graph.geometry import Geometry
 from linkwright.model.document import Document
 from linkwright.model.quantities import Quantities
 from linkwright.structure import decompose
-from linkwright.studies import ModesOutcome
+from linkwright.studies.modes.outcome import ModesOutcome
 
 LENGTH = st.floats(1.0, 4.0)
 

@@ -21,7 +21,7 @@ from linkwright.graph.modes import MOST
 from linkwright.model.document import Document, read_document
 from linkwright.model.yaml_text import read_text
 from linkwright.structure import Driven, decompose
-from linkwright.studies import ModesOutcome
+from linkwright.studies.modes.outcome import ModesOutcome
 
 
 def modes_of(data: dict[str, Any]) -> ModesOutcome:

@@ -17,7 +17,8 @@ from linkwright.app import examine_file
 from linkwright.app.job import Job, examine_document, perform
 from linkwright.expressions.language import parse
 from linkwright.findings import Finding
-from linkwright.studies import CycleOutcome, MeasureResult
+from linkwright.measures import MeasureResult
+from linkwright.studies.cycle.outcome import CycleOutcome
 
 Array = NDArray[np.float64]
 UNITS = {"length": "mm", "angle": "deg", "mass": "kg", "time": "s", "force": "N", "torque": "N*m"}

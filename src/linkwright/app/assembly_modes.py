@@ -12,9 +12,10 @@ from linkwright.findings import Finding, ModelError, raise_errors
 from linkwright.model.document import Document
 from linkwright.report.summary import worded
 from linkwright.structure import decompose
-from linkwright.studies import ModesOptions, ModesOutcome, find_modes, read_studies
+from linkwright.studies import read_studies
+from linkwright.studies.modes.outcome import ModesOutcome
 from linkwright.studies.modes.report import modes_data
-from linkwright.studies.modes.study import own_mode
+from linkwright.studies.modes.study import ModesOptions, find_modes, own_mode
 
 
 @dataclass

@@ -28,15 +28,7 @@ from linkwright.presentation.blocks import FileOf
 from linkwright.report.build import report_data
 from linkwright.report.page import page
 from linkwright.report.summary import drawn, found, summary
-from linkwright.studies import (
-    NOWHERE,
-    STUDIES,
-    RunContext,
-    Stopped,
-    Study,
-    StudyTask,
-    read_studies,
-)
+from linkwright.studies import NOWHERE, STUDIES, RunContext, Stopped, Study, StudyTask, read_studies
 from linkwright.studies.registry import OfStructures, Outcomes
 
 CANNOT = ("structure.", "assembly.", "motion.", "measure.nothing", "measure.not-finite", "export.cannot-")
@@ -143,7 +135,8 @@ def _examination(
 ) -> tuple[Callable[..., tuple[Compiled | None, list[Finding]]], list[Finding]]:
     """How a document is compiled for the studies that it asks for, and what can't stand beside one that brings a way of
     its own."""
-    alone = {name: study for name, study in STUDIES.items() if name in asked and isinstance(study, OfStructures)}
+    named = [(name, STUDIES[name]) for name in asked if name in STUDIES]
+    alone = {name: study for name, study in named if isinstance(study, OfStructures)}
     if not alone:
         return compilation.examine, []
     ((own, study),) = alone.items()

@@ -8,7 +8,7 @@ from typing import Any
 
 from linkwright.app.single_study import perform_alone
 from linkwright.model.document import Document
-from linkwright.studies import SweepOutcome
+from linkwright.studies.sweep.outcome import SweepOutcome
 
 
 def sweep(

@@ -49,7 +49,13 @@ class Target(Protocol):
         """The contents of its files. ``site.document`` is the model file, with the options of its studies."""
 
 
-TARGETS: Registry[Target] = Registry()
+TARGETS: Registry[Target] = Registry(
+    {
+        "mjcf": "linkwright.exports.mjcf",
+        "motor-expressions": "linkwright.exports.motors",
+        "process-simulate": "linkwright.exports.process_simulate",
+    }
+)
 
 
 def register(cls: type) -> type:

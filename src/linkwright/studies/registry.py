@@ -115,7 +115,18 @@ class OfStructures(Protocol):
         """Compile a mechanism as far as it goes, with all findings."""
 
 
-STUDIES: Registry[Study] = Registry()
+STUDIES: Registry[Study] = Registry(
+    {
+        "accuracy": "linkwright.studies.accuracy.study",
+        "cam": "linkwright.studies.cam.study",
+        "cycle": "linkwright.studies.cycle.study",
+        "limits": "linkwright.studies.limits.study",
+        "modes": "linkwright.studies.modes.study",
+        "reactions": "linkwright.studies.reactions.study",
+        "sweep": "linkwright.studies.sweep.study",
+        "workspace": "linkwright.studies.workspace.study",
+    }
+)
 
 
 def register(cls: type) -> type:

@@ -14,9 +14,10 @@ from scipy import stats
 import linkwright as lw
 from linkwright.blocks import RUNNERS, UNIT
 from linkwright.results import Run
-from linkwright.studies import Interrupted, RunContext, sampling_state
+from linkwright.studies import RunContext, sampling_state
 from linkwright.studies.accuracy.monte_carlo import SampleStatistics, check_monte_carlo, monte_carlo
 from linkwright.studies.cycle.options import span
+from linkwright.studies.sampling import Interrupted
 from linkwright.studies.sampling_task import SampleWork
 from studies.accuracy.by_hand import contributors, options, stated
 from studies.models import four_bar, slider_crank

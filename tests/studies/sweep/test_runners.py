@@ -12,8 +12,8 @@ import pytest
 import linkwright as lw
 from linkwright.app.single_study import altered
 from linkwright.kernels.registry import KERNELS
-from linkwright.studies import SweepOutcome
 from linkwright.studies.sampling_task import SampleWork
+from linkwright.studies.sweep.outcome import SweepOutcome
 from studies.models import slider_crank
 
 EXAMPLES = Path(__file__).parents[3] / "examples"

@@ -12,7 +12,9 @@ import pytest
 import linkwright as lw
 from linkwright.app.job import examine_document, perform
 from linkwright.blocks import UNIT
-from linkwright.studies import Interrupted, RunContext, SweepOutcome, sampling_state
+from linkwright.studies import RunContext, sampling_state
+from linkwright.studies.sampling import Interrupted
+from linkwright.studies.sweep.outcome import SweepOutcome
 from studies.models import CRANK, four_bar, slider_crank
 
 STEPS = {"from": 45, "to": 55, "count": 5}
