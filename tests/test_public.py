@@ -183,7 +183,7 @@ def test_a_registered_name_stands_on_its_class(registry: dict[str, Any], key: st
 # Imports go down only.
 
 LEVELS = {
-    **dict.fromkeys(("_version", "escape", "interrupts", "notation", "plugins", "words", "gallery"), 0),
+    **dict.fromkeys(("_lazy", "_version", "escape", "interrupts", "notation", "plugins", "words", "gallery"), 0),
     **dict.fromkeys(("findings", "laws", "tolerances"), 1),
     **dict.fromkeys(("_machine", "expressions", "presentation"), 2),
     "drawing": 2.5,
@@ -207,7 +207,10 @@ LEVELS = {
 }
 # The side floors know of nothing but what is named here.
 SIDES = {
-    **{side: set[str]() for side in ("_version", "escape", "interrupts", "notation", "plugins", "words", "gallery")},
+    **{
+        side: set[str]()
+        for side in ("_lazy", "_version", "escape", "interrupts", "notation", "plugins", "words", "gallery")
+    },
     "findings": {"escape", "words"},
     "laws": {"notation"},
     "tolerances": {"notation"},
