@@ -310,7 +310,7 @@ def test_shortfall_tells_where_the_group_cannot_close(signature: str, data: Any)
     assume(abs(reach) > 1e-9)
     shortfall = dyad.shortfall()
     assert (shortfall is not None) == (reach < 0)
-    assert (float(1.0 if (room := dyad.room()) is None else room) < 0) == (reach < 0)
+    assert (float(1.0 if (room := dyad.radicand()) is None else room) < 0) == (reach < 0)
     if shortfall is not None:
         assert shortfall[0] != shortfall[1]
 

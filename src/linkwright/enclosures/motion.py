@@ -71,7 +71,7 @@ class Enclosure:
             if is_signal(call):
                 return rows[self.run.canonical(call)]
             argument = lift(evaluate(call.args[0], named, called))
-            return self.run.compiled.tables[call.name].given(quantities.parameters).or_nan(Jet([argument])).d[0]
+            return self.run.compiled.tables[call.name].at_parameters(quantities.parameters).or_nan(Jet([argument])).d[0]
 
         return lift(evaluate(tree, named, called))
 

@@ -181,11 +181,11 @@ class View:
             acting = self.contacts[name] if signal.attribute in self.contacts[name].signals else self.seconds[name]
             return acting.signals[signal.attribute]
         if (order := DRIVE_ORDERS.get(signal.attribute)) is not None:
-            return self.own(name, order)
+            return self.drive_value(name, order)
         effort = self.forces.efforts[name]
-        return effort * self.own(name, 1) if signal.attribute == "power" else effort
+        return effort * self.drive_value(name, 1) if signal.attribute == "power" else effort
 
-    def own(self, name: str, order: int, whole: bool = True) -> Scalar:
+    def drive_value(self, name: str, order: int, whole: bool = True) -> Scalar:
         """A drive's value or a rate of it; of one with an output, as it follows from the motion (rad, ``whole`` turns
         where they are known)."""
         drive = self.motion.geometry.mechanism.movers[name]
@@ -193,7 +193,7 @@ class View:
             return self.laws[name].d[order]
         if drive.slides:
             joint = self.graph.structure.topology.acting(name)[0].joint
-            return self.motion.moved(drive, joint).d[order]
+            return self.motion.slide_value(drive, joint).d[order]
         link, on = self.motion.bodies[drive.link], self.motion.bodies[drive.on]
         if order:
             return link.turn.d[order - 1] - on.turn.d[order - 1]
