@@ -117,9 +117,9 @@ def entries_by_key(keys: Iterable[Any], usual: type[BaseModel]) -> dict[Any, typ
     keys = {*keys}
     others = keys - keys_of(usual)
 
-    def found() -> dict[Any, type[BaseModel]]:
+    def named_entries() -> dict[Any, type[BaseModel]]:
         return {key: of[key] for of in ENTRIES.values() for key in of if key in others}
 
-    if keys.difference(*map(keys_of, found().values() or [usual])):
+    if keys.difference(*map(keys_of, named_entries().values() or [usual])):
         load("elements")
-    return found()
+    return named_entries()

@@ -100,7 +100,7 @@ class ForceContext(LinkPoses, Protocol):
         """An expression of the entry, in parameters, the time, tables and signals."""
 
     def lookup(self, table: str, argument: Node, integral: bool = False) -> Scalar:
-        """The answer of a table that the kind has ``asked``."""
+        """The answer of a table among the kind's ``needed_tables``."""
 
     def signal(self, text: str) -> Scalar:
         """Another signal of the mechanism, among those on which the kind ``depends``."""
@@ -135,8 +135,8 @@ class ForceReports(MoverReports, Protocol):
 class ForceKind(ABC, Generic[E]):
     """A kind of what acts on links; stateless. ``name`` is that of an element in its section of the file.
 
-    ``applied``, ``lost`` and ``misfits`` are its proof: they know the model's dimensions and what a run reports, and
-    ask none of the kind's other methods.
+    ``applied``, ``dissipative_forces`` and ``misfits`` are its proof: they know the model's dimensions and what a run
+    reports, and ask none of the kind's other methods.
     """
 
     name: ClassVar[str]

@@ -4,7 +4,7 @@ A form says value + u slope_u + v slope_v with an error of no more than ``rest``
 part, so that what depends on itself isn't counted twice (affine arithmetic: Stolfi and de Figueiredo, Self-Validated
 Numerical Methods, 1997, ch. 3; here with two noise symbols that are kept, and one bound of all else). Roots and
 reciprocals are replaced by the line of minimum error over the range. What has no bound has an infinite ``rest``. Each
-operation makes a few roundings of numbers no larger than its operands' ``reach`` makes possible.
+operation makes a few roundings of numbers no larger than its operands' ``magnitude_bound`` makes possible.
 """
 
 from __future__ import annotations

@@ -244,11 +244,11 @@ class Tracer:
         unit = 1.0 if self.turns else self.system.size
         guess = z + (there - z) * ((goal - a) / (b - a))
 
-        def rest(at: Array) -> float:
+        def residual(at: Array) -> float:
             return (self.system.value(self.drive, at) - first - goal) / unit
 
         try:
-            return [self.corrected(guess, self.system.gradient(self.drive, guess), rest)]
+            return [self.corrected(guess, self.system.gradient(self.drive, guess), residual)]
         except _Lost:
             return []
 

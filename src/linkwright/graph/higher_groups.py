@@ -73,7 +73,7 @@ def solve_higher_group(motion: Motion, step: HigherGroup, drives: dict[str, Jet]
     starts = dict(zip(step.free, unknowns(step), strict=True))
     rates: dict[LinkPlacement, list[Scalar]] = {edge: [] for edge in step.free}
 
-    def place(next_rate: list[Scalar]) -> None:
+    def place_links(next_rate: list[Scalar]) -> None:
         """Place all links in order with the rates known so far."""
         for edge in step.edges:
             if edge.drive is not None:
@@ -82,7 +82,7 @@ def solve_higher_group(motion: Motion, step: HigherGroup, drives: dict[str, Jet]
                 motion.bodies[edge.link] = _free(motion, edge, starts[edge], Jet([*rates[edge], *next_rate]))
 
     # Step 1: place the links at the given coordinates, without rates.
-    place([])
+    place_links([])
     # Step 2: how each coordinate moves the links, and from that the matrix of the closure equations. It is factored
     # once and serves all rates, the equilibrium and Newton.
     fields, twists = _fields(motion, step)
@@ -92,12 +92,12 @@ def solve_higher_group(motion: Motion, step: HigherGroup, drives: dict[str, Jet]
     # Step 3: each time derivative of the closure is linear in the highest rates with this same matrix. Set these to
     # zero, see what the equations miss, and solve for them.
     for k in range(1, motion.order + 1):
-        place([0.0])
+        place_links([0.0])
         rest = [gap.d[k] for gap in _gaps(motion, closures)]
         for edge, q in zip(step.free, factor.solve(rest), strict=True):
             rates[edge].append(-q)
     # Step 4: place the links once more with all rates.
-    place([])
+    place_links([])
     motion.higher_groups[step] = SolvedHigherGroup(
         gaps, slopes, factor, [rates[edge] for edge in step.free], fields, twists, closures
     )

@@ -4,7 +4,7 @@ The links fall apart into groups again, hung on the frame and on the point. Wher
 which the point is at a place is one choice of their branches, in closed form. Of a triad the platform's angle is a root
 of a polynomial (:mod:`linkwright.graph.triads`), at most one of six; all else follows from it in closed form. So the
 inverse kinematics is exhaustive (J.-P. Merlet, Parallel Robots, 2nd ed. 2006, ch. 3). What tells whether a pose is one
-of an assembly mode are signs: of what stands under the roots of those dyads (``room``: the pose exists), and of the
+of an assembly mode are signs: of what stands under the roots of those dyads (``radicand``: the pose exists), and of the
 determinants of the mechanism's own groups in the pose (``closure``: the mode).
 """
 

@@ -136,7 +136,7 @@ def _keeps_rules(quantities: Quantities, system: Constraints, z: Array) -> bool:
         angle = 0.0 if link == FRAME else float(z[system.columns_of([link])[2]])
         return np.array(local.turned(Pair(math.cos(angle), math.sin(angle))), dtype=float)
 
-    def place(point: str) -> Array:
+    def point_position(point: str) -> Array:
         link = homes[point]
         start = np.zeros(2) if link == FRAME else z[system.columns_of([link])[:2]] * system.size
         return np.asarray(start + turned(link, system.geometry.point(link, point)))
@@ -144,12 +144,12 @@ def _keeps_rules(quantities: Quantities, system: Constraints, z: Array) -> bool:
     for name, rule in m.assembly.items():
         if not rule.reference or name not in homes or any(point not in homes for point in rule.reference):
             continue
-        arm = place(name) - place(rule.reference[0])
+        arm = point_position(name) - point_position(rule.reference[0])
         if rule.along:
             first = m.joints[rule.along].links[0]
             side = float(arm @ turned(first, system.geometry.line(rule.along, first)[1]))
         else:
-            line = place(rule.reference[1]) - place(rule.reference[0])
+            line = point_position(rule.reference[1]) - point_position(rule.reference[0])
             side = float(line[0] * arm[1] - line[1] * arm[0])
         if side * (1.0 if rule.word in ("left", "ahead") else -1.0) < 0:
             return False

@@ -99,15 +99,15 @@ class View:
     def evaluate(self, node: Node) -> Scalar:
         """The same of a tree bound to SI."""
 
-        def named(name: Name) -> Scalar:
+        def name_value(name: Name) -> Scalar:
             if is_signal(name):
                 return self.row(name.text)
             return self.given["t"] if name.text == "t" else self.motion.geometry.parameters[name.text]
 
-        def called(call: Call) -> Scalar:
+        def call_value(call: Call) -> Scalar:
             return self.row(signal_text(call)) if is_signal(call) else self.lookup(call.name, call.args[0])
 
-        return evaluate(node, named, called)
+        return evaluate(node, name_value, call_value)
 
     # What kinds of force elements ask for.
 
@@ -169,10 +169,10 @@ class View:
         def reaction(link: str) -> Wrench:
             return self.forces.reactions[name, link]
 
-        def ask(bodies: Mapping[str, Body]) -> Scalar:
+        def signal_value(bodies: Mapping[str, Body]) -> Scalar:
             return kind.signal(self.geometry, name, signal.attribute, bodies, reaction)
 
-        return answered(kind, name, self.bodies, ask)
+        return answered(kind, name, self.bodies, signal_value)
 
     def drive(self, signal: Signal) -> Scalar:
         name = signal.owners[0]

@@ -80,7 +80,7 @@ class Pursuit:
         return x[self.rows]
 
     def largest_step(self, step: Array, u: Array) -> Array:
-        """The largest step of a pose's coordinates, as :meth:`Corrector.moved` has it: (...) of (coordinates, ...)."""
+        """The largest step of a pose's coordinates, as :meth:`Corrector.largest_step`: (...) of (coordinates, ...)."""
         far = np.zeros(step.shape[1:])
         for part, of, (scale, slides) in zip(np.abs(step), u, self.scales, strict=True):
             part /= np.maximum(scale, np.abs(of)) if slides else scale
@@ -243,15 +243,15 @@ class Pursued:
     def _place(self, p: Array) -> Place:
         """Samples at a time each."""
 
-        def place(which: NDArray[np.intp], t: Array) -> tuple[Array, Array]:
+        def pose_inputs(which: NDArray[np.intp], t: Array) -> tuple[Array, Array]:
             return self._inputs(p[:, which], t), p[:, which]
 
-        return place
+        return pose_inputs
 
     def _started(self, p: Array) -> Array:
         """At t = 0, by continuation in the parameters."""
 
-        def place(which: NDArray[np.intp], share: Array) -> tuple[Array, Array]:
+        def pose_inputs(which: NDArray[np.intp], share: Array) -> tuple[Array, Array]:
             goal, nominal = p[:, which], self.nominal[:, None]
             # The homotopy: parameters move on a straight line from the nominal ones to those of the sample.
             there = np.where(share < 1, nominal + share * (goal - nominal), goal)
@@ -260,7 +260,7 @@ class Pursued:
         samples = p.shape[1]
         u = np.where(np.isfinite(p).all(axis=0), np.repeat(self.start[:, None], samples, axis=1), np.nan)
         once = np.ones((samples, 1))
-        return self.pursuit.advance_to(place, u, np.zeros(samples), once, np.full(samples, PATIENCE))[..., 0]
+        return self.pursuit.advance_to(pose_inputs, u, np.zeros(samples), once, np.full(samples, PATIENCE))[..., 0]
 
     def _inputs(self, p: Array, t: Array) -> Array:
         """The inputs of samples at one time each."""

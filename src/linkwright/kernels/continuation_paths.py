@@ -48,7 +48,7 @@ class Solver(Protocol):
         """The largest step of a pose's coordinates: (...) of (coordinates, ...), in rad or over the size."""
 
     def advance_to(self, place: Place, u: Array, now: Array, targets: Array, least: Array) -> Array:
-        """The coordinates at targets by steps of any length, as ``Pursuit.reach`` has them."""
+        """The coordinates at targets by steps of any length, as ``Pursuit.advance_to`` has them."""
 
 
 class SamplePaths:

@@ -124,11 +124,11 @@ class _LawReader:
         def law(t: Array, parameters: Parameters, strict: bool) -> Jet:
             time = Jet([t, np.ones_like(t), *[np.zeros_like(t)] * (ORDER - 1)])
 
-            def given(name: Name) -> Any:
+            def name_value(name: Name) -> Any:
                 return time if name.text == "t" else parameters[name.text]
 
-            def called(call: Call) -> Jet:
-                argument = evaluate(call.args[0], given, called)
+            def call_value(call: Call) -> Jet:
+                argument = evaluate(call.args[0], name_value, call_value)
                 x = argument if isinstance(argument, Jet) else Jet.constant(argument, ORDER)
                 if call.name in motions:
                     return motions[call.name].at_parameters(parameters).on(x)
@@ -139,7 +139,7 @@ class _LawReader:
 
             try:
                 with np.errstate(all="ignore"):
-                    value = evaluate(node, given, called)
+                    value = evaluate(node, name_value, call_value)
             except OutsideTable as error:
                 data = {"drive": drive, "at": error.at, "low": error.low, "high": error.high}
                 raise ModelError([Finding("drive.outside-table", ("drives", drive, "position"), data)]) from None

@@ -113,7 +113,7 @@ class _Cut:
             """From the pose in which the law is asked at an angle to that of the cam."""
             return _turned(vector, pose.turned - forward * (at - pose.phase))
 
-        def place(at: Jet, centre: Vec, way: Vec) -> Vec:
+        def contact_point(at: Jet, centre: Vec, way: Vec) -> Vec:
             across = centre.plus(way.perp.times(forward))
             return spun(centre.plus(across.times(more / across.dot(across).sqrt())), at)
 
@@ -124,7 +124,7 @@ class _Cut:
                 bent = self.bend(motion, plan, at, centre, way).minus(way.perp.times(2 * forward)).minus(centre)
                 size = past.dot(past)
                 past = past.times(1.0 - (forward * more) * past.cross(bent) / (size * size.sqrt()))
-            point, past = place(at, centre, way), spun(past, at)
+            point, past = contact_point(at, centre, way), spun(past, at)
             if here.turns:
                 arm = point.minus(pivot)
                 off: Jet = (arm.dot(arm) - here.reach * here.reach) / (2 * arm.dot(past))
@@ -133,7 +133,7 @@ class _Cut:
             return aside
 
         at = _solved(step, pose.at)
-        point = place(at, *self.centre(motion, plan, at))
+        point = contact_point(at, *self.centre(motion, plan, at))
         if not here.turns:
             height: Jet = here.sign * _along(point.plus(pose.centre), here.way) + here.offset
             return height

@@ -26,7 +26,7 @@ CLOSE = 1e-9
 @dataclass(frozen=True)
 class StatedTable(TableLaw):
     """A table at the ``nominal`` parameters; ``values`` are the expressions of its points' values that hold some, by
-    the points' numbers. At others :meth:`given` asks."""
+    the points' numbers. At others :meth:`at_parameters` gives it."""
 
     values: Mapping[int, Node] = field(default_factory=dict)
     nominal: Mapping[str, float] = field(default_factory=dict)

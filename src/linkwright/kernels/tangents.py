@@ -25,7 +25,7 @@ MOST = 1 << 18
 class Tangents:
     """Derivatives along ``directions`` (parameters, n) in parameter space, SI, and by the ``plays`` of joints (see
     :class:`linkwright.graph.geometry.Geometry`), which count as further directions; at the nominal parameters, or by
-    :meth:`moved` at others."""
+    :meth:`at_parameters` at others."""
 
     def __init__(self, compiled: Compiled, directions: Array, plays: Sequence[str] = (), kernel: str = "numpy") -> None:
         self.compiled, self.graph, self.plays, self.kernel = compiled, compiled.graph, tuple(plays), kernel

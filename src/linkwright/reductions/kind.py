@@ -42,7 +42,7 @@ class MeasureKind(ABC):
     differentiable: ClassVar[bool] = False
     """Whether it gives a :meth:`derivative`; without one the accuracy study refuses it by name."""
     bounded: ClassVar[bool] = False
-    """Whether its :meth:`bound` holds; without one the effect of clearances on it stays open, which is told."""
+    """Whether its :meth:`clearance_bounds` holds; without one the effect of clearances on it stays open."""
     still: ClassVar[bool] = False
     """Whether its bound holds only where clearances don't move the window."""
     words: ClassVar[Mapping[str, Mapping[str, str]]] = {}

@@ -99,7 +99,7 @@ class InSamples(Protocol):
         """Where each one's window begins and ends."""
 
     def extreme(self, sign: float, key: str = "") -> Figures:
-        """The largest values, or with the sign -1 the smallest, among those that the kind ``needs``."""
+        """The largest values, or with the sign -1 the smallest, among the kind's ``needed_extremes``."""
 
     def mean(self) -> Array:
         """The mean over time of the kind's ``power`` of the signal."""
@@ -109,7 +109,7 @@ class InSamples(Protocol):
 
 
 class WithDeviations(Protocol):
-    """A measure's signal with its exact derivatives by ``count`` deviations, about the nominal run ``here``."""
+    """A measure's signal with its exact derivatives by ``count`` deviations, about the ``nominal_run``."""
 
     @property
     def nominal_run(self) -> InRun:

@@ -291,15 +291,15 @@ def expressed(
     parameters = compiled.quantities.parameters if given is None else given
     time = Jet([t, np.ones_like(t)]).truncated(order)
 
-    def named(name: Name) -> Any:
+    def name_value(name: Name) -> Any:
         if is_signal(name):
             return Jet([*rows[name.text]])
         return time if name.text == "t" else parameters[name.text]
 
-    def called(call: Call) -> Jet:
+    def call_value(call: Call) -> Jet:
         if is_signal(call):
             return Jet([*rows[compiled.quantities.signals.find(call).text]])
-        argument = evaluate(call.args[0], named, called)
+        argument = evaluate(call.args[0], name_value, call_value)
         return (
             compiled.tables[call.name]
             .at_parameters(parameters)
@@ -308,7 +308,7 @@ def expressed(
 
     try:
         with np.errstate(all="ignore"):
-            value = evaluate(node, named, called)
+            value = evaluate(node, name_value, call_value)
     except ZeroDivisionError:
         value = np.nan
     return value if isinstance(value, Jet) else Jet.constant(value, order)

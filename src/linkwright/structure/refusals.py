@@ -122,16 +122,16 @@ def immovable_outputs(topology: Topology, steps: Sequence[Step]) -> Iterator[Fin
     drives = {name: drive for name, drive in topology.mechanism.drives.items() if drive.output}
     taken: dict[str, str] = {}
 
-    def take(name: str, tried: set[str]) -> bool:
+    def assign_output(name: str, tried: set[str]) -> bool:
         """An output for the drive, by turns with drives that can take another one (augmenting paths)."""
         for output in (moved_by[drives[name].link] | moved_by[drives[name].on]) & drives.keys() - tried:
             tried.add(output)
-            if output not in taken or take(taken[output], tried):
+            if output not in taken or assign_output(taken[output], tried):
                 taken[output] = name
                 return True
         return False
 
     for name, drive in drives.items():
-        if not take(name, set()):
+        if not assign_output(name, set()):
             data = {"output": drive.output, "link": drive.link, "on": drive.on}
             yield Finding("structure.output-apart", ("drives", name, "output"), data)

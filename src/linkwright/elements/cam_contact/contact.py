@@ -182,7 +182,7 @@ def contact(
     way = on.direction(here.way).now if not here.turns else Pair(0.0, 0.0)
     pivot = on.point(here.pivot).now
 
-    def moved(point: Pair) -> Pair:
+    def point_displacement(point: Pair) -> Pair:
         """What a unit of the follower's value moves its point by."""
         return point.minus(pivot).perp if here.turns else Pair(here.sign * way.x, here.sign * way.y)
 
@@ -197,11 +197,11 @@ def contact(
             shaft.y + height * normal.y + along * normal.x,
         )
     else:
-        moving, arm = moved(at).perp, at.minus(shaft)
+        moving, arm = point_displacement(at).perp, at.minus(shaft)
         across = Pair(arm.x + rate * moving.x, arm.y + rate * moving.y)
         size = call("sqrt", across.dot(across))
         normal = Pair(across.x / size, across.y / size)
-    rising = moved(at)
+    rising = point_displacement(at)
     rising = Pair(here.sign * rising.x, here.sign * rising.y)
     reach = normal.dot(rising)
     angle, push = call("arctan2", -forward * normal.cross(rising), reach), Wrench(normal, 0.0, at)

@@ -90,26 +90,26 @@ def _base_circle_faults(quantities: Any, path: Path, drive: CamFollower, here: C
         return
     unit, size = quantities.unit_of(u.LENGTH)
 
-    def told(code: str, **lengths: Any) -> Finding:
+    def sized_fault(code: str, **lengths: Any) -> Finding:
         shown = {key: f"{float(length) / size:.6g}" for key, length in lengths.items()}
         return Finding(code, path, {**shown, "unit": unit, "follower": drive.link})
 
     if not here.turns:
         pitch = here.base + here.roller
         if not here.faced and not abs(here.aside) < pitch:
-            yield told("cam.offset", offset=abs(here.aside), limit=pitch)
+            yield sized_fault("cam.offset", offset=abs(here.aside), limit=pitch)
         return
     if not here.distance > 0:
         yield Finding("cam.no-distance", path, {"follower": drive.link})
     elif here.faced and not abs(here.level) < 1:
-        yield told("cam.face", base=here.base, face=here.reach, distance=here.distance)
+        yield sized_fault("cam.face", base=here.base, face=here.reach, distance=here.distance)
     elif not here.faced and not here.reach > 0:
         yield Finding("cam.no-arm", path, {"point": drive.cam.touches})
     elif not here.faced and not abs(here.level) < 1:
         low, high = abs(here.distance - here.reach), here.distance + here.reach
         pitch = here.base + here.roller
         by = max(low - pitch, pitch - high)
-        yield told("cam.reach", distance=here.distance, arm=here.reach, pitch=pitch, low=low, high=high, by=by)
+        yield sized_fault("cam.reach", distance=here.distance, arm=here.reach, pitch=pitch, low=low, high=high, by=by)
 
 
 def _misplaced(
@@ -123,7 +123,7 @@ def _misplaced(
     least, most = (extreme.value for extreme in motion.extremes(0))
     stop, (low, high) = start + most - least, contact_range(drive)
 
-    def told(code: str, dimension: u.Dimension, **data: float) -> Finding:
+    def sized_fault(code: str, dimension: u.Dimension, **data: float) -> Finding:
         unit, size = quantities.unit_of(dimension)
         shown = {key: f"{value / size:.6g}" for key, value in data.items()}
         return Finding(code, path, {"follower": drive.link, "unit": unit, **shown})
@@ -133,8 +133,8 @@ def _misplaced(
         yield Finding("cam.no-arm", path, {"point": drive.cam.second.touches})
     elif not low < start < stop < high:
         if drive.pivot is None:
-            yield told("cam.second-height", u.LENGTH, height=-start)
+            yield sized_fault("cam.second-height", u.LENGTH, height=-start)
         else:
-            yield told("cam.second-side", u.ANGLE, low=start, high=stop, least=low, most=high)
+            yield sized_fault("cam.second-side", u.ANGLE, low=start, high=stop, least=low, most=high)
     elif not drive.derived and not base > 0:
-        yield told("cam.second-base", u.LENGTH, base=base)
+        yield sized_fault("cam.second-base", u.LENGTH, base=base)
