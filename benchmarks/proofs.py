@@ -17,7 +17,7 @@ import numpy as np
 
 from linkwright.app.job import examine_file
 from linkwright.enclosures import Claim, Proof, panels, proofs, prove_all
-from linkwright.measures import Measurer, bound
+from linkwright.measures import Measurer, bound_measures
 from linkwright.results import Run
 from linkwright.studies.change_point_carry import carried
 from linkwright.studies.cycle.options import CycleOptions, span
@@ -57,7 +57,7 @@ def cases(part: str = "") -> Iterator[Case]:
 
 def searched(run: Run) -> dict[str, Claim]:
     """The extremes of a run's measures, as the search finds them."""
-    every = bound(run.compiled.quantities)
+    every = bound_measures(run.compiled.quantities)
     measurer = Measurer(run, [measure for measure in every if measure.entry.reduction in BOUNDED])
     found = {}
     for name, measure in measurer.by_name.items():
@@ -83,8 +83,8 @@ def table(part: str) -> None:
     print("example                     claims proven panels  search ms  prove ms  again ms  left open")
     for case in cases(part):
         made, first, again = proven(case)
-        done, most = sum(proof.done for proof in made.values()), max(proof.panels for proof in made.values())
-        left = ", ".join(f"{name}: {proof.reason}" for name, proof in made.items() if not proof.done)
+        done, most = sum(proof.is_proven for proof in made.values()), max(proof.panels for proof in made.values())
+        left = ", ".join(f"{name}: {proof.reason}" for name, proof in made.items() if not proof.is_proven)
         print(
             f"{case.name:28s}{len(made):6d}{done:7d}{most:7d}{1e3 * case.searched:11.0f}{1e3 * first:10.0f}"
             f"{1e3 * again:10.0f}  {left}"
@@ -93,7 +93,7 @@ def table(part: str) -> None:
 
 def orders() -> None:
     """The sum of all examples that are proven, at other degrees and numbers of first panels."""
-    every = [case for case in cases() if all(proof.done for proof in proven(case)[0].values())]
+    every = [case for case in cases() if all(proof.is_proven for proof in proven(case)[0].values())]
     print("degree first  again ms  panels  proven")
     kept = panels.Panels.__init__.__defaults__
     assert kept is not None
@@ -105,7 +105,7 @@ def orders() -> None:
             for case in every:
                 made, _, again = proven(case)
                 took += again
-                done += sum(proof.done for proof in made.values())
+                done += sum(proof.is_proven for proof in made.values())
                 most += max(proof.panels for proof in made.values())
             print(f"{order:6d}{first:6d}{1e3 * took:10.0f}{most:8d}{done:8d}", flush=True)
     panels.Panels.__init__.__defaults__ = kept  # type: ignore[attr-defined]

@@ -51,7 +51,7 @@ def cells_of(shape: ArmOnCoupler, seed: int) -> tuple[int, int, int]:
         at = random.uniform([[-0.8], [-1.0]], [[1.6], [1.0]], (2, CELLS))
         half = np.full(CELLS, size)
         forms, of = places.forms(at, half, np.zeros(CELLS, dtype=int))
-        low, high = forms.ends
+        low, high = forms.bounds
         sure, may = (
             np.isin(np.arange(CELLS), of[(low > 0).all(axis=0)]),
             np.isin(np.arange(CELLS), of[~(high < 0).any(axis=0)]),

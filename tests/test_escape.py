@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from linkwright import escape
 from linkwright.cam.nc.posts import POSTS
 from linkwright.findings import Finding, ModelError
-from linkwright.model.csv_text import written
+from linkwright.model.csv_text import table_text
 
 UNSEEN = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069\ud800-\udfff\ufffe\uffff]")
 ANY = st.text(st.characters(exclude_categories=()), max_size=30)
@@ -76,7 +76,7 @@ def test_no_cell_begins_with_a_line_end(text: str) -> None:
 
 
 def test_a_table_is_escaped_as_a_whole() -> None:
-    assert written(["=a", "b\nc"], [["-1.5", "@d"]]) == "'=a,b c\n-1.5,'@d\n"
+    assert table_text(["=a", "b\nc"], [["-1.5", "@d"]]) == "'=a,b c\n-1.5,'@d\n"
 
 
 @given(ANY)

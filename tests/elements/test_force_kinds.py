@@ -166,7 +166,7 @@ def test_its_power_is_what_it_stores_and_loses(name: str, which: int) -> None:
     energy = ca.SX(one.kind.energy(view, one.name, one.entry))
     stored, rate = evaluated(compiled, view, [energy, ca.jtimes(energy, view.x, compiled.graph.flow(view))])
     assert bool(np.abs(stored).max()) <= one.kind.stores
-    lost = power(reports, moments(one.kind.lost(reports, one.name, one.entry)))
+    lost = power(reports, moments(one.kind.dissipative_forces(reports, one.name, one.entry)))
     done = power(reports, wrenches(compiled, one))
     near = partial(pytest.approx, abs=1e-9 * max(1.0, np.abs(done).max()))
     assert done == near(lost - rate)

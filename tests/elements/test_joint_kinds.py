@@ -48,10 +48,10 @@ def pair(name: str, random: Generator) -> list[Body]:
     """Two links in any motion; those of pins and slides on each other, where their actions hold."""
     a, inner, rates = body(random), INNER[name], Jet(random.normal(size=3).tolist())
     if isinstance(inner, InnerPin):
-        b = OuterPin(a.point(inner.first), inner.second).at(float(random.uniform(-3, 3)), rates)
+        b = OuterPin(a.point(inner.first), inner.second).place_at(float(random.uniform(-3, 3)), rates)
     elif isinstance(inner, InnerLine):
         line = a.point(inner.first), a.direction(inner.first_heading), a.turn
-        b = OuterLine(*line, inner.second, inner.second_heading).at(float(random.normal()), rates)
+        b = OuterLine(*line, inner.second, inner.second_heading).place_at(float(random.normal()), rates)
     else:
         b = body(random)
     return [a, b]

@@ -38,7 +38,7 @@ def test_all_zeros_lie_in_stretches_and_no_more_than_these_can_hold(seed: int, s
         value[1] -= (basis(np.full(COUNT, 0.3), 1) * value).sum(axis=0) / -np.sin(0.3)
         value[0] -= (basis(np.full(COUNT, 0.3)) * value).sum(axis=0)
     found = told(value, u, v)
-    low, high = found.room.ends
+    low, high = found.room.bounds
     for a, b in rng.uniform(-1, 1, (8, 2)):
         number = np.zeros(found.of.size, dtype=int)
         for row in zeros(value + a * u + b * v):

@@ -97,7 +97,7 @@ def holds(form: AffineForm, true: Any, u: Any, v: Any, number: Callable[[float],
     value, slope, other, rest = (float(np.ravel(x)[0]) for x in (form.value, form.u, form.v, form.rest))
     if rest == np.inf or not np.isfinite([value, slope, other, rest]).all():
         return True
-    low, high = (float(np.ravel(x)[0]) for x in form.ends)
+    low, high = (float(np.ravel(x)[0]) for x in form.bounds)
     plane = number(value) + number(slope) * u + number(other) * v
     between = (low == -np.inf or number(low) <= true) and (high == np.inf or true <= number(high))
     return bool(abs(true - plane) <= number(rest) and between)
@@ -177,7 +177,7 @@ def test_a_reciprocal_of_a_range_with_zero_has_no_bound(ends: tuple[float, float
     low, high = ends
     made = line((low + high) / 2, (high - low) / 2).inverse()
     assert made.rest[0] == np.inf
-    assert made.ends[0][0] == -np.inf and made.ends[1][0] == np.inf
+    assert made.bounds[0][0] == -np.inf and made.bounds[1][0] == np.inf
 
 
 @pytest.mark.parametrize("sign", [1.0, -1.0])
@@ -198,7 +198,7 @@ def test_a_magnitude_of_one_sign_is_exact() -> None:
         made = line(3 * sign, 2).magnitude()
         assert (made.value[0], made.u[0], made.rest[0]) == (3, 2 * sign, 0)
     across = line(1, 2).magnitude()
-    assert across.ends[0][0] <= 0 and across.ends[1][0] >= 3
+    assert across.bounds[0][0] <= 0 and across.bounds[1][0] >= 3
 
 
 def test_numbers_are_constant_and_known_to_a_few_roundings() -> None:

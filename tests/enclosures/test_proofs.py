@@ -62,7 +62,7 @@ def test_true_extremes_are_proven(name: str) -> None:
     run = example_run(name)
     made = claims(run, CASES[name])
     for claim, proof in zip(made, prove_all(run, made, run.breaks), strict=True):
-        assert proof.done, proof
+        assert proof.is_proven, proof
         assert proof.low <= claim.low + claim.tolerance
         assert proof.high >= claim.high - claim.tolerance
         assert proof.low >= claim.low - claim.tolerance
@@ -80,7 +80,7 @@ def test_false_extremes_are_refuted(name: str, end: str) -> None:
         low, high = (claim.low + off, claim.high) if end == "low" else (claim.low, claim.high - off)
         (a, b) = claim.spans[0]
         proof = prove(run, claim.node, [(a, b)], low, high, run.breaks)
-        assert not proof.done
+        assert not proof.is_proven
         assert proof.reason == "refuted"
         assert proof.refuted is not None
         value = run.jets(claim.node, np.array([proof.refuted.time])).d[0][0]
@@ -91,7 +91,7 @@ def test_a_window_is_all_that_counts() -> None:
     run = example_run("paper_feeder.yaml")
     node = trees(run)["stroke"]
     low, high = extremes(run, node, 0.2, 0.4)
-    assert prove(run, node, [(0.2, 0.4)], low, high).done
+    assert prove(run, node, [(0.2, 0.4)], low, high).is_proven
     assert prove(run, node, [(0.2, 0.41)], low, high).refuted is not None
 
 
@@ -102,13 +102,13 @@ def test_a_narrow_peak_between_samples_is_found() -> None:
     proof = prove(run, node, [(0.0, 6.0)], 0.0, 0.5)
     assert proof.refuted is not None
     assert proof.refuted.time == pytest.approx(2.345678, abs=1e-4)
-    assert prove(run, node, [(0.0, 6.0)], 0.0, 1.0).done
+    assert prove(run, node, [(0.0, 6.0)], 0.0, 1.0).is_proven
 
 
 def test_an_unbounded_value_stays_open_at_its_pole() -> None:
     run = Run(compiled_from(four_bar()), 0.0, 6.0, 100)
     proof = prove(run, bound(run, "1/(t - 2.5)"), [(0.0, 6.0)], -1e3, 1e3)
-    assert not proof.done
+    assert not proof.is_proven
     if proof.refuted is None:
         assert proof.reason == "undefined"
         assert all(abs(a - 2.5) < 0.01 and abs(b - 2.5) < 0.01 for a, b in proof.open)
@@ -124,7 +124,7 @@ def test_a_jump_counts_with_both_sides() -> None:
     spans = [(0.0, 1.0), (1.0, 3.0), (3.0, 6.0)]
     ends = [extremes(run, node, a + 1e-9, b - 1e-9) for a, b in spans]
     low, high = min(e[0] for e in ends), max(e[1] for e in ends)
-    assert prove(run, node, [(0.0, 6.0)], low - 1e-6, high + 1e-6, run.breaks).done
+    assert prove(run, node, [(0.0, 6.0)], low - 1e-6, high + 1e-6, run.breaks).is_proven
     without = prove(run, node, [(0.0, 6.0)], low - 1e-6, high + 1e-6)
     assert without.refuted is None
 
@@ -135,7 +135,7 @@ def test_many_turns() -> None:
     node = bound(run, "rocker.omega")
     low, high = extremes(run, node, 0.0, 2 * np.pi)
     proof = prove(run, node, [(run.start, run.stop)], low, high)
-    assert proof.done, proof.reason
+    assert proof.is_proven, proof.reason
 
 
 def test_the_budget_ends_it() -> None:
@@ -143,7 +143,7 @@ def test_the_budget_ends_it() -> None:
     node = trees(run)["torque"]
     low, high = extremes(run, node, 0.0, 0.5)
     proof = prove(run, node, [(0.0, 0.5)], low, high, budget=60)
-    assert not proof.done
+    assert not proof.is_proven
     assert proof.reason == "budget"
     assert proof.open
     assert prove(run, node, [(0.0, 0.5)], low, high, budget=60) == proof
@@ -172,14 +172,14 @@ def test_what_lies_just_outside_a_window_neither_refutes_nor_hinders() -> None:
     run = Run(compiled_from(four_bar()), 0.0, 6.0, 100)
     node = bound(run, "motor.angle")
     a, b = 3.0, 3.006
-    assert prove(run, node, [(a, b)], a + 0.5, b + 0.5).done
+    assert prove(run, node, [(a, b)], a + 0.5, b + 0.5).is_proven
 
 
 def test_a_window_without_length_is_no_proof() -> None:
     run = Run(compiled_from(four_bar()), 0.0, 6.0, 100)
-    assert not prove(run, bound(run, "motor.angle"), [(3.0, 3.0)], -1e3, 1e3).done
-    assert not prove(run, bound(run, "motor.angle"), [(0.0, 6.0)], np.nan, 1e3, budget=200).done
+    assert not prove(run, bound(run, "motor.angle"), [(3.0, 3.0)], -1e3, 1e3).is_proven
+    assert not prove(run, bound(run, "motor.angle"), [(0.0, 6.0)], np.nan, 1e3, budget=200).is_proven
 
 
 def test_nothing_decided_is_no_proof() -> None:
-    assert not Proof(0.0, 1.0, ((0.0, 1.0),), "budget").done
+    assert not Proof(0.0, 1.0, ((0.0, 1.0),), "budget").is_proven

@@ -8,7 +8,7 @@ import pint
 import pytest
 
 from linkwright.expressions import units as u
-from linkwright.expressions.units import Dimension, UnitError, si_text, spelled, unit
+from linkwright.expressions.units import Dimension, UnitError, si_text, unit, unit_text
 
 MM = {"length": "mm", "angle": "deg", "mass": "kg", "time": "s", "force": "N", "torque": "N*m"}
 
@@ -89,21 +89,21 @@ def test_what_is_no_unit(text: str) -> None:
     ],
 )
 def test_quantities_are_spelled_in_declared_units(dimension: Dimension, text: str) -> None:
-    assert spelled(dimension, MM) == text
+    assert unit_text(dimension, MM) == text
     assert unit(text)[1].physical == dimension.physical
 
 
 def test_torque_follows_from_force_and_length() -> None:
     declared = {"force": "kN", "length": "mm"}
-    assert spelled(u.TORQUE, declared) == "kN*mm"
+    assert unit_text(u.TORQUE, declared) == "kN*mm"
 
 
 def test_what_is_not_declared_is_told_by_its_base() -> None:
     with pytest.raises(UnitError, match=r"^mass$"):
-        spelled(u.INERTIA, {"length": "mm"})
-    assert spelled(u.INERTIA, {"length": "mm"}, strict=False) == "kg*mm^2"
+        unit_text(u.INERTIA, {"length": "mm"})
+    assert unit_text(u.INERTIA, {"length": "mm"}, strict=False) == "kg*mm^2"
     with pytest.raises(UnitError, match=r"^$"):
-        spelled(Dimension(3, 2, -1), MM)
+        unit_text(Dimension(3, 2, -1), MM)
 
 
 def test_any_dimension_has_a_text() -> None:

@@ -148,7 +148,7 @@ def test_slopes_agree_with_differences(name: str) -> None:
     document = Document.model_validate(CASES[name]())
     quantities = Quantities(document)
     system = Constraints(decompose(document).topology, Geometry(quantities, quantities.parameters), 1.7)
-    system.hold(dict.fromkeys(document.drives, 0.3))
+    system.set_drive_values(dict.fromkeys(document.drives, 0.3))
     z, h = np.random.default_rng(3).uniform(-1, 1, system.width), 1e-6
     columns = [(system.residual(z + step) - system.residual(z - step)) / (2 * h) for step in h * np.eye(system.width)]
     assert np.abs(system.jacobian(z) - np.array(columns).T).max() < 1e-8
@@ -221,7 +221,9 @@ def test_slopes_agree_with_differences_where_followers_ride() -> None:
     document = Document.model_validate(data)
     quantities = Quantities(document)
     system = Constraints(decompose(document).topology, Geometry(quantities, quantities.parameters), 1.7)
-    system.hold({}, {"ram": FollowerRelation("motor", lambda q: (math.sin(2 * q), 2 * math.cos(2 * q)), 0.1)})
+    system.set_drive_values(
+        {}, {"ram": FollowerRelation("motor", lambda q: (math.sin(2 * q), 2 * math.cos(2 * q)), 0.1)}
+    )
     z, h = np.random.default_rng(3).uniform(-1, 1, system.width), 1e-6
     columns = [(system.residual(z + step) - system.residual(z - step)) / (2 * h) for step in h * np.eye(system.width)]
     assert np.abs(system.jacobian(z) - np.array(columns).T).max() < 1e-8

@@ -18,7 +18,7 @@ from helpers.compiled import compiled_from
 from helpers.examples import UNITS
 from helpers.reach import Chain, FiveBar, Guide, TwoCylinders, TwoSlides
 from helpers.reach.mechanisms import Mechanism
-from linkwright.graph.inverse import DeterminantRow, DriveValue, carried, inverse
+from linkwright.graph.inverse import DeterminantRow, DriveValue, guided_mechanism, inverse
 from linkwright.graph.rows import Determinant, Radicand
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.structure import decompose
@@ -183,7 +183,7 @@ def test_what_turns_into_a_higher_group_has_no_inverse() -> None:
     """Forward there are dyads alone; with the point held none is left."""
     compiled = compiled_from(triad_turned_round())
     assert not compiled.structure.higher_groups
-    turned = decompose(carried(compiled.mechanism, "P"))
+    turned = decompose(guided_mechanism(compiled.mechanism, "P"))
     assert not turned.findings and turned.higher_groups
     assert inverse(compiled.graph, "P") is None
     assert inverse(compiled.graph, "C") is not None
@@ -221,7 +221,7 @@ def test_names_that_are_taken_are_left_alone() -> None:
     plain = mechanism.document(closing(mechanism, 50)[:, 0])
     data = renamed(plain, names)
     one, other = compiled_from(plain), compiled_from(data)
-    turned = carried(other.mechanism, "P")
+    turned = guided_mechanism(other.mechanism, "P")
     for kind in ("links", "joints"):
         before, after = getattr(other.mechanism, kind), getattr(turned, kind)
         assert {*before} < {*after} and len(after) == len(before) + 2

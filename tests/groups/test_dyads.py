@@ -292,7 +292,7 @@ def test_a_second_dyad_of_one_signature_is_refused() -> None:
 
 @each(40)
 def test_shortfall_tells_where_the_group_cannot_close(signature: str, data: Any) -> None:
-    """``shortfall``, a negative ``reach`` and ``room`` say the same; links a tenth shorter or longer may not close."""
+    """``shortfall``, a negative ``reach`` and ``radicand`` agree; links a tenth shorter or longer may not close."""
     example = data.draw(examples(signature))
     assume(distances(example) > 0.05)
     stretch = data.draw(st.sampled_from((0.3, 1.0, 3.0)))
@@ -310,7 +310,7 @@ def test_shortfall_tells_where_the_group_cannot_close(signature: str, data: Any)
     assume(abs(reach) > 1e-9)
     shortfall = dyad.shortfall()
     assert (shortfall is not None) == (reach < 0)
-    assert (float(1.0 if (room := dyad.room()) is None else room) < 0) == (reach < 0)
+    assert (float(1.0 if (room := dyad.radicand()) is None else room) < 0) == (reach < 0)
     if shortfall is not None:
         assert shortfall[0] != shortfall[1]
 

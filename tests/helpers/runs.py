@@ -8,7 +8,7 @@ import numpy as np
 
 from linkwright.app.job import examine_file
 from linkwright.expressions.language import Node
-from linkwright.measures import bound
+from linkwright.measures import bound_measures
 from linkwright.results import Run
 from linkwright.studies.change_point_carry import carried
 from linkwright.studies.cycle.options import CycleOptions, span
@@ -29,7 +29,7 @@ def example_run(name: str) -> Run:
 
 def trees(run: Run) -> dict[str, Node]:
     """The expressions of its measures, bound to SI."""
-    every = bound(run.compiled.quantities)
+    every = bound_measures(run.compiled.quantities)
     return {measure.name: measure.signal for measure in every if measure.entry.reduction != "straightness"}
 
 

@@ -116,9 +116,9 @@ def test_the_place_follows_the_content(monkeypatch: pytest.MonkeyPatch, tmp_path
     monkeypatch.setenv("LINKWRIGHT_CACHE", str(tmp_path))
     assert len({code_cache.name_of(*words) for words in (("a", "x"), ("b", "x"), ("a", "y"), ("a", "x"))}) == 3
     place = tmp_path / "kernels" / code_cache.name_of("a", "x")
-    assert not code_cache.kept("a", "x")
+    assert not code_cache.is_cached("a", "x")
     place.mkdir(parents=True)
-    assert code_cache.kept("a", "x")
+    assert code_cache.is_cached("a", "x")
 
 
 NOBODY = """
@@ -160,7 +160,7 @@ def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A folder with one kernel kept."""
     monkeypatch.setenv("LINKWRIGHT_CACHE", str(tmp_path / "cache"))
     assert code_cache.load(SOURCE, "", read).value == 1
-    assert code_cache.kept(SOURCE, "")
+    assert code_cache.is_cached(SOURCE, "")
     return tmp_path / "cache"
 
 

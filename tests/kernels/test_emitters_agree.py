@@ -54,7 +54,7 @@ def case_of(compiled: Compiled, names: list[str], t: np.ndarray, rates: bool = T
     labels = determinants(compiled.structure)
     x, p, d = compiled.inputs(t), compiled.parameters, np.ones(t.size)
     if labels:
-        d = np.abs(compiled.closed(labels, t)).min(axis=0)
+        d = np.abs(compiled.closed_form_rows(labels, t)).min(axis=0)
     x, d = x[:, ~(d < REGULAR)], d[~(d < REGULAR)]
     closed = compiled.graph.program(names, rates=rates)
     expected = np.array([closed(pose, p) for pose in x.T]).T

@@ -14,10 +14,10 @@ from linkwright.cam.cams_of_mechanism import disc, frame
 from linkwright.cam.disc import Disc
 from linkwright.cam.rolling import rolled
 from linkwright.elements.cam_contact import cam_followers
-from linkwright.elements.cam_contact.contact import seat, whole
+from linkwright.elements.cam_contact.contact import base_circle_turns, seat
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import manufactured_cam as cut_module
-from linkwright.kernels.manufactured_cam import cut
+from linkwright.kernels.manufactured_cam import with_cut_cams
 from linkwright.kernels.parameter_batch import Varied
 from linkwright.kernels.tangents import Tangents
 
@@ -52,10 +52,10 @@ def lifts(c: Any, value: str, side: int, values: Any) -> Any:
     drive = cam_followers(c.mechanism)["rider"]
     nominal = c.quantities.parameters
     here = seat(Geometry(c.quantities, nominal | values), drive)
-    found = Varied(cut(c), tuple(values))
+    found = Varied(with_cut_cams(c), tuple(values))
     p = found.parameters(np.array([[v] for v in values.values()]))
     y = found.evaluate([f"rider.{value}"], p, T)[0, 0]
-    return here.sign * (y + whole(Geometry(c.quantities, nominal), drive) - here.offset) - here.start
+    return here.sign * (y + base_circle_turns(Geometry(c.quantities, nominal), drive) - here.offset) - here.start
 
 
 @pytest.mark.parametrize(("guide", "touch"), [("swinging", "roller"), ("swinging", "face"), ("sliding", "roller")])
@@ -82,7 +82,7 @@ def test_it_is_the_follower_rolled_over_the_contour(guide: str, touch: str) -> N
 def test_its_derivatives_are_those_of_its_values(guide: str, touch: str) -> None:
     """By each parameter, of the follower's motion and of the forces through it, at any time; nominal values stay."""
     c = compiled_from(mechanism(guide, touch))
-    made = cut(c)
+    made = with_cut_cams(c)
     value, rate = ("angle", "alpha") if guide == "swinging" else ("s", "a")
     signals = [f"rider.{value}", f"rider.{rate}", "rider.force", "motor.torque"]
     assert made.evaluate(signals, T) == pytest.approx(c.evaluate(signals, T), rel=1e-11, abs=1e-11)
@@ -105,7 +105,7 @@ def test_its_steps_are_enough(monkeypatch: pytest.MonkeyPatch) -> None:
     found = []
     for orders in (cut_module.ORDERS, (3,) * 10):
         monkeypatch.setattr(cut_module, "ORDERS", orders)
-        made = Varied(cut(compiled_from(mechanism("swinging", "roller"))), ("ax", "rr"))
+        made = Varied(with_cut_cams(compiled_from(mechanism("swinging", "roller"))), ("ax", "rr"))
         p = made.parameters(np.array([[0.0903], [0.0123]]))
         found.append(made.evaluate(["rider.angle", "rider.alpha", "rider.jerk"], p, T))
     assert found[0] == pytest.approx(found[1], rel=1e-10, abs=1e-12)
@@ -116,7 +116,7 @@ def test_a_wider_roller_lifts_along_the_common_normal() -> None:
     c = compiled_from(mechanism("swinging", "roller"))
     pressure = c.evaluate(["rider.pressure"], T)[0]
     k = c.graph.parameters.index("rr")
-    _, slopes = Tangents(cut(c), np.eye(len(c.graph.parameters))[:, [k]]).evaluate(["rider.angle"], T)
+    _, slopes = Tangents(with_cut_cams(c), np.eye(len(c.graph.parameters))[:, [k]]).evaluate(["rider.angle"], T)
     assert slopes[0, 0] == pytest.approx(-1 / (np.hypot(0.08, 0.028) * np.cos(pressure)), rel=1e-10)
 
 
@@ -126,7 +126,7 @@ def test_a_face_out_of_square_rests_on_the_profile() -> None:
     data["parameters"]["fa"] = 0.7 + np.pi / 2
     data["cams"]["rider"]["face"] = "B at fa"
     c = compiled_from(data)
-    varied = Varied(cut(c), ("fa",))
+    varied = Varied(with_cut_cams(c), ("fa",))
     (found,) = varied.evaluate(["rider.s"], varied.parameters(np.array([[0.71 + np.pi / 2]])), T)[0]
     made, axes = disc(c, "rider"), frame(c, "rider")
     profile = axes.placed(made.look(np.linspace(0, 2 * np.pi, 100_001)).offset(0.0))

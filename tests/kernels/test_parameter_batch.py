@@ -71,7 +71,7 @@ def assert_same(
     values = spread(varied, share)
     p = varied.parameters(values)
     found = varied.evaluate(signals, p, t, rates=True)
-    own = varied.at(signals, p, np.tile(t, (values.shape[1], 1)), rates=True).reshape(found.shape)
+    own = varied.signals_at(signals, p, np.tile(t, (values.shape[1], 1)), rates=True).reshape(found.shape)
     assert not np.isfinite(varied.failures(p, t).time).any()
     for i, of_sample in enumerate(values.T):
         expected = alone(made, of_sample, units).evaluate(signals, t, rates=True).reshape(-1, t.size)
@@ -298,7 +298,7 @@ def test_poses_foretold_by_paths_are_those_followed_one_by_one(
     varied = Varied(compiled, list("rpqw"))
     p = varied.parameters(spread(varied, share, samples=200, seed=7))
     found, failures = varied.evaluate(signals, p, t, kernel=kernel), varied.failures(p, t, kernel)
-    own = varied.at(signals, p[:, :20], np.tile(t[::-3], (20, 1)), kernel=kernel)
+    own = varied.signals_at(signals, p[:, :20], np.tile(t[::-3], (20, 1)), kernel=kernel)
     with without_paths(monkeypatch):
         expected = Varied(compiled, list("rpqw")).evaluate(signals, p, t)
     assert np.array_equal(np.isnan(found), np.isnan(expected))
@@ -314,7 +314,7 @@ def test_most_poses_are_not_followed_one_by_one(monkeypatch: pytest.MonkeyPatch)
     varied = Varied(compile_mechanism(class_four()), list("rpqw"))
     p = varied.parameters(spread(varied, 0.1, samples=20))
     handed: list[tuple[int, ...]] = []
-    reach = Pursuit.reach
+    reach = Pursuit.advance_to
 
     def counted(self: Pursuit, place: Any, u: Array, now: Array, targets: Array, least: Array) -> Array:
         handed.append(targets.shape)
@@ -344,7 +344,7 @@ def test_a_path_that_gives_up_is_followed_from_pose_to_pose(
     found = back.evaluate(signals, back.parameters(values), t)
     assert handed == ([5] if exponent < 1 and shortest > 1e-6 else [])
     met = np.tile((top - np.abs(t - 0.31) ** exponent) / (2 * np.pi), (5, 1))
-    expected = on.at(signals, on.parameters(values), np.maximum(met, 0))
+    expected = on.signals_at(signals, on.parameters(values), np.maximum(met, 0))
     assert np.abs(found - expected).max() < 1e-12
 
 
@@ -371,12 +371,12 @@ def test_paths_are_laid_once(monkeypatch: pytest.MonkeyPatch) -> None:
         assert np.isfinite(made.failures(p[:, bad], t).time).all()
         some = np.array([3, 1, 3, 20])
         own = np.array([0.9, 0.6, 1.0, 0.7])[:, None]
-        assert np.isfinite(made.at(["B3.x"], p[:, some], own)[0, ~bad[some]]).all()
+        assert np.isfinite(made.signals_at(["B3.x"], p[:, some], own)[0, ~bad[some]]).all()
     fresh = Varied(made.compiled, list("rpqw"))
     expected = np.concatenate(
-        [fresh.at(["B3.x"], p[:, [i]], at[None]) for i, at in zip(some, own, strict=True)], axis=1
+        [fresh.signals_at(["B3.x"], p[:, [i]], at[None]) for i, at in zip(some, own, strict=True)], axis=1
     )
-    assert np.array_equal(made.at(["B3.x"], p[:, some], own), expected, equal_nan=True)
+    assert np.array_equal(made.signals_at(["B3.x"], p[:, some], own), expected, equal_nan=True)
 
 
 CUT = [
@@ -392,7 +392,7 @@ def test_kernels_agree(made: Callable[[], Document], names: list[str], signals: 
     varied = Varied(compile_mechanism(made()), names)
     p, t = varied.parameters(spread(varied, 0.02)), np.linspace(0, 0.5, 12)
     expected = varied.evaluate(signals, p, t)
-    own = varied.at(signals, p, np.tile(t, (5, 1)), kernel=kernel)
+    own = varied.signals_at(signals, p, np.tile(t, (5, 1)), kernel=kernel)
     for found in (own, varied.evaluate(signals, p, t, kernel=kernel)):
         assert np.abs(found - expected).max() <= 1e-10 * np.abs(expected).max()
     assert np.array_equal(varied.failures(p, t, kernel).cause, np.full(5, -1))
@@ -405,9 +405,9 @@ def test_a_time_that_is_no_number_gives_no_figure(
     """Whoever looks for the times of some samples need not leave the others out."""
     varied = Varied(compile_mechanism(made(), EXAMPLES), names)
     p, t = varied.parameters(spread(varied, 0.01, samples=3)), np.array([[0.1, np.nan], [0.2, 0.3], [np.nan, np.nan]])
-    found = varied.at(signals, p, t)
+    found = varied.signals_at(signals, p, t)
     assert np.array_equal(np.isnan(found), np.broadcast_to(np.isnan(t), found.shape))
-    assert np.array_equal(varied.at(signals, p[:, :1], t[:1, :1]), found[:, :1, :1])
+    assert np.array_equal(varied.signals_at(signals, p[:, :1], t[:1, :1]), found[:, :1, :1])
 
 
 def test_poses_in_any_order() -> None:
@@ -426,12 +426,12 @@ def test_a_sample_does_not_depend_on_the_others(
     varied_, t = Varied(compile_mechanism(made(), EXAMPLES), names), np.linspace(0, 0.7, 23)
     p = varied_.parameters(spread(varied_, 0.1, samples=19))
     own = np.sort(np.random.default_rng(2).uniform(0, 0.7, (19, 5)))
-    whole, whole_own = varied_.evaluate(signals, p, t, rates=True), varied_.at(signals, p, own)
+    whole, whole_own = varied_.evaluate(signals, p, t, rates=True), varied_.signals_at(signals, p, own)
     assert np.isfinite(whole).all(axis=(0, 2)).sum() > 5
 
     def cut(some: slice, of: Varied = varied_) -> None:
         assert np.array_equal(of.evaluate(signals, p[:, some], t, rates=True), whole[:, some], equal_nan=True)
-        assert np.array_equal(of.at(signals, p[:, some], own[some]), whole_own[:, some], equal_nan=True)
+        assert np.array_equal(of.signals_at(signals, p[:, some], own[some]), whole_own[:, some], equal_nan=True)
 
     parts = [slice(0, 1), slice(12, 19), slice(3, 11), slice(18, 19)]
     for part in parts:

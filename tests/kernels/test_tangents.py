@@ -150,9 +150,11 @@ def test_at_other_parameters_they_are_those_of_the_mechanism_made_with_them(case
     t, along = np.linspace(0.01, 0.47, 7), directions(compiled, names)
     nominal = np.array([compiled.quantities.parameters[name] for name in names])
     p = Varied(compiled, names).parameters(1.01 * nominal[:, None])[:, 0]
-    values, slopes = Tangents(compiled, along).moved(p).evaluate(signals, t)
+    values, slopes = Tangents(compiled, along).at_parameters(p).evaluate(signals, t)
     step = 1e-4 * along
-    around = [Tangents(compiled, along).moved(p + k * step[:, 0]).evaluate(signals, t)[0] for k in (-2, -1, 1, 2)]
+    around = [
+        Tangents(compiled, along).at_parameters(p + k * step[:, 0]).evaluate(signals, t)[0] for k in (-2, -1, 1, 2)
+    ]
     expected = (around[0] - 8 * around[1] + 8 * around[2] - around[3]) / 12e-4
     np.testing.assert_allclose(slopes[:, 0], expected, rtol=1e-5, atol=1e-7 * np.abs(expected).max())
     np.testing.assert_allclose(values, Varied(compiled, names).evaluate(signals, p[:, None], t)[:, 0], rtol=1e-12)

@@ -15,7 +15,7 @@ from linkwright.cam.cams_of_mechanism import disc
 from linkwright.cam.followers import NoFollower
 from linkwright.findings import ModelError
 from linkwright.kernels import Compiled
-from linkwright.kernels.manufactured_cam import cut
+from linkwright.kernels.manufactured_cam import with_cut_cams
 from linkwright.kernels.parameter_batch import Varied
 from linkwright.kernels.tangents import Tangents
 from linkwright.laws import LAWS, MotionError
@@ -200,7 +200,7 @@ def test_samples_of_cams_are_models_read_anew(guide: str, touch: str) -> None:
 
 
 @pytest.mark.parametrize(("guide", "touch"), CAMS)
-@pytest.mark.parametrize("made", [lambda c: c, cut], ids=["designed", "cut"])
+@pytest.mark.parametrize("made", [lambda c: c, with_cut_cams], ids=["designed", "cut"])
 def test_derivatives_of_cams_are_those_of_samples(guide: str, touch: str, made: Any) -> None:
     """Where the law alone deviates, a cam that is cut is another one, as if designed so."""
     base = made(riding(guide, touch))
@@ -320,7 +320,7 @@ def test_many_places_and_few_come_to_the_same_bits(kind: str, monkeypatch: pytes
     base = turning(segments, parameters, law)
     share = 1 + 0.01 * np.random.default_rng(1).uniform(-1, 1, (4, len(parameters)))
     given = {n: base.quantities.parameters[n] * row[:, None] for n, row in zip(parameters, share.T, strict=True)}
-    made, x = base.motions["shape"].given(given), np.linspace(-3.0, 9.0, 300)
+    made, x = base.motions["shape"].at_parameters(given), np.linspace(-3.0, 9.0, 300)
     few = [made.at(x, order) for order in range(5)]
     monkeypatch.setattr("linkwright.laws.curve.SMALL", 0)
     many = [made.at(x, order) for order in range(5)]

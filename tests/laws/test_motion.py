@@ -77,7 +77,7 @@ def test_weld_on_the_fly() -> None:
 def test_a_polynomial_meets_its_conditions(over: float, lift: float, start: list[float], end: list[float]) -> None:
     blend = Blend(over, lift, tuple(start), tuple(end), ((0.4 * over, 1.5),))
     curve = blend.curve(start, end)
-    first, last = curve.ends()
+    first, last = curve.end_derivatives()
     big = max(1.0, *(abs(v) * over**k for rates in (start, end) for k, v in enumerate(rates, 1)), abs(lift))
     for k, rate in enumerate(start, 1):
         assert first[k] * over**k == pytest.approx(rate * over**k, abs=1e-9 * big)
@@ -125,7 +125,7 @@ def test_in_other_units() -> None:
 def test_b_splines_and_splines() -> None:
     """The rest at both ends that three equal control values give; Schoenberg: a line's control values give the line."""
     curve = b_spline([1, 1, 1, 4, 4, 4], 3)
-    first, last = curve.ends()
+    first, last = curve.end_derivatives()
     assert (*first[:3], *last[:3]) == pytest.approx([1, 0, 0, 4, 0, 0], abs=1e-12)
     knots = np.array([0, 0, 0, 0.5, 1, 1, 1])
     greville = np.array([knots[i + 1 : i + 3].mean() for i in range(4)])

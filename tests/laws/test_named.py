@@ -54,7 +54,7 @@ def test_peak_factors_are_those_of_the_literature(name: str) -> None:
     law, (velocity, acceleration, end, crossover, tolerance) = LAWS[name], TABLE[name]
     assert law.factor(1) == pytest.approx(velocity, rel=tolerance)
     assert law.factor(2) == pytest.approx(acceleration, rel=tolerance)
-    assert law.ends()[0][3] == pytest.approx(end, rel=tolerance, abs=1e-10)
+    assert law.end_derivatives()[0][3] == pytest.approx(end, rel=tolerance, abs=1e-10)
     if crossover is not None:
         assert -law.peaks(3)[0].value == pytest.approx(crossover, rel=tolerance, abs=1e-10)
 
@@ -74,8 +74,8 @@ def test_signed_peaks_of_the_double_harmonic() -> None:
 def test_a_law_goes_from_0_to_1(law: Law) -> None:
     assert law.at([0.0, 1.0]) == pytest.approx([0, 1], abs=1e-14)
     slope = 1.0 if law.name == "constant_velocity" else 0.0
-    assert [end[1] for end in law.ends()] == pytest.approx([slope, slope], abs=1e-13)
-    assert law.ends()[1][2] == pytest.approx(
+    assert [end[1] for end in law.end_derivatives()] == pytest.approx([slope, slope], abs=1e-13)
+    assert law.end_derivatives()[1][2] == pytest.approx(
         {"double_harmonic": -(PI**2), "eighth_degree": -5.2683, "simple_harmonic": -(PI**2) / 2, "parabolic": -4,
          "poly_23": -6}.get(law.name, 0.0), rel=1e-12, abs=1e-11)  # fmt: skip
     assert law.symmetric == (not law.mirrored)
@@ -135,7 +135,7 @@ def test_the_scca_family_against_its_closed_form(fractions: tuple[float, float, 
     assert found == pytest.approx((velocity, acceleration), rel=1e-12)
     b, _, d, _ = fractions
     if b:
-        assert law.ends()[0][3] == pytest.approx(end, rel=1e-12)
+        assert law.end_derivatives()[0][3] == pytest.approx(end, rel=1e-12)
     if d:
         assert -law.peaks(3)[0].value == pytest.approx(max(crossover, end if b else 0) if b == d else crossover)
     u = np.linspace(0, 1, 50)
@@ -147,7 +147,7 @@ def test_the_scca_family_against_its_closed_form(fractions: tuple[float, float, 
 def test_an_unsymmetric_member() -> None:
     law = Law(scca_by_widths(0.1, 0.1, 0.1, 0.2, 0.2, 0.1, 0.2).parts)
     assert law.at([0.0, 1.0]) == pytest.approx([0, 1], abs=1e-14)
-    assert law.ends()[1][1:3] == pytest.approx([0, 0], abs=1e-12)
+    assert law.end_derivatives()[1][1:3] == pytest.approx([0, 0], abs=1e-12)
     assert law.continuity == (2, 2, 2)
     low, high = law.peaks(2)
     assert high.value / -low.value == pytest.approx((2 / PI * 0.4 + 0.1) / (2 / PI * 0.2 + 0.1), rel=1e-12)

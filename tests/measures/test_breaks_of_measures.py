@@ -220,8 +220,8 @@ def test_a_peak_that_the_search_misses_is_found_by_its_proof() -> None:
 FAULTS = {
     "top": (Probe, "top", lambda p: Peak(p.bottom().value, 0.0, "")),
     "a little low": (Probe, "top", lambda p: Peak(sorted(p.peaks)[-1].value * (1 - 1e-3), 0.0, "")),
-    "mean": (Mean, "found", lambda kind, run: (run.found("", 1.001 * run.mean()),)),
-    "rms": (Rms, "found", lambda kind, run: (run.found("", 10 * run.top().value),)),
+    "mean": (Mean, "run_figures", lambda kind, run: (run.graded_figure("", 1.001 * run.mean()),)),
+    "rms": (Rms, "run_figures", lambda kind, run: (run.graded_figure("", 10 * run.top().value),)),
 }
 
 

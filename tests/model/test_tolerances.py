@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from linkwright.model.document import Document, dump, read_document
-from linkwright.model.tolerances import ClassName, stated
+from linkwright.model.tolerances import ClassName, full_tolerance
 from model.given import findings, four_bar
 from model.test_schema import errors
 
@@ -56,13 +56,15 @@ def test_what_is_written_comes_back(tolerance: Any) -> None:
 
 
 def test_all_spellings_have_one_full_form() -> None:
-    whole = [stated(Document.model_validate(given(t)).parameters["L"].tolerance) for t in (0.1, {"limits": 0.1})]
+    whole = [
+        full_tolerance(Document.model_validate(given(t)).parameters["L"].tolerance) for t in (0.1, {"limits": 0.1})
+    ]
     assert whole[0].limits == whole[1].limits
     assert whole[0].sigma is whole[1].sigma is None
 
 
 def test_a_name_of_a_class_knows_its_limits() -> None:
-    (limits,) = [stated(Document.model_validate(given("h7")).parameters["L"].tolerance).limits]
+    (limits,) = [full_tolerance(Document.model_validate(given("h7")).parameters["L"].tolerance).limits]
     assert isinstance(limits, ClassName)
     assert limits.found.limits(0.025) == pytest.approx((-21e-6, 0))
 

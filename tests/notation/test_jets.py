@@ -169,8 +169,8 @@ def test_field_laws(f: list[float], g: list[float], h: list[float]) -> None:
 def test_rate_and_cut() -> None:
     f = Jet([1.0, 2.0, 3.0, 4.0])
     assert f.rate().d == (2.0, 3.0, 4.0)
-    assert f.cut(1).d == (1.0, 2.0)
-    assert (f.order, f.rate().order, f.cut(0).order) == (3, 2, 0)
+    assert f.truncated(1).d == (1.0, 2.0)
+    assert (f.order, f.rate().order, f.truncated(0).order) == (3, 2, 0)
 
 
 @settings(max_examples=20)
@@ -178,7 +178,7 @@ def test_rate_and_cut() -> None:
 def test_leibniz_rule_commutes_with_rate(f: list[float], g: list[float]) -> None:
     a, b = Jet(f), Jet(g)
     low = ORDER - 1
-    assert_close((a * b).rate().d, (a.rate() * b.cut(low) + a.cut(low) * b.rate()).d)
+    assert_close((a * b).rate().d, (a.rate() * b.truncated(low) + a.truncated(low) * b.rate()).d)
 
 
 @pytest.mark.parametrize("operation", [lambda f, g: f + g, lambda f, g: f * g, lambda f, g: f / g, Jet.arctan2])

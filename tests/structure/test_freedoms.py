@@ -120,6 +120,6 @@ def test_a_name_with_another_letter_is_told_where_one_pin_is_lacking() -> None:
 
 def test_the_links_that_one_hangs_on_come_with_it() -> None:
     document = Document.model_validate(model("chain", "sound", 8))
-    together = Freedoms(Topology(document), ["frame", "crank"], {}).together
+    together = Freedoms(Topology(document), ["frame", "crank"], {}).supporting_links
     assert together["l0"] == together["l1"] == {"l0", "l1"}
     assert together["l2"] == {"l0", "l1", "l2", "l3"}

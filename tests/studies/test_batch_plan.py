@@ -22,7 +22,7 @@ from linkwright.compilation import compile_mechanism
 from linkwright.expressions.units import si_text
 from linkwright.kernels import Compiled
 from linkwright.kernels.parameter_batch import Varied
-from linkwright.measures import MeasureResult, bound, measure_all
+from linkwright.measures import MeasureResult, bound_measures, measure_all
 from linkwright.model.document import Document, load, replaced
 from linkwright.reductions import REDUCTIONS
 from linkwright.results import Run
@@ -103,7 +103,7 @@ def same(many: Many, result: MeasureResult, run: Run, i: int) -> None:
     figures = many.figures[result.name]
     assert {f.label for f in result.found} == {*figures}
     size = max(float(np.nanmax(np.abs(f.values))) for f in figures.values())
-    tree = bound(run.compiled.quantities, [result.name])[0].signal
+    tree = bound_measures(run.compiled.quantities, [result.name])[0].signal
     if result.measure.reduction == "mean":  # which may be zero
         size = max(size, float(np.abs(run.jets(tree, run.t).d[0]).max()))
     for f in result.found:
@@ -467,7 +467,7 @@ def test_a_sample_does_not_depend_on_the_others_to_the_last_bit(path: str, monke
 def test_some_names_only() -> None:
     some = Batch.round_nominal("examples/paper_feeder.yaml", 0.01, 3)
     run = run_of(some.document, some.compiled)
-    many = measure_many(some.varied, run, some.p, bound(some.compiled.quantities, ["stroke", "M0_feed"]))
+    many = measure_many(some.varied, run, some.p, bound_measures(some.compiled.quantities, ["stroke", "M0_feed"]))
     assert [*many.figures] == ["stroke", "M0_feed"]
     assert [*many.met] == ["stroke"]
     whole = some.measuring.of(some.p)

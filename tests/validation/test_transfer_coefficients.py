@@ -120,7 +120,7 @@ def test_coefficients_of_random_four_bars() -> None:
     for row in Varied(both[0].compiled, names).parameters(some).T:
         expected = [output_slopes(row[:4].tolist(), float(row[4] + time)) for time in t]
         for which, tangents in enumerate(both):
-            values, slopes = tangents.moved(row).evaluate(["rocker.angle"], t)
+            values, slopes = tangents.at_parameters(row).evaluate(["rocker.angle"], t)
             for k in range(t.size):
                 angle, wanted = expected[k][which]
                 assert math.sin((values[0, k] - angle) / 2) == pytest.approx(0, abs=1e-13)
@@ -223,7 +223,7 @@ def test_coefficients_of_the_working_point_of_random_five_bars() -> None:
         expected = point_slopes(sizes, float(theta1[k]), float(theta4[k]))
         for tangents, (theta3, turns, place, wanted) in zip(both, expected, strict=True):
             signals = ["link3.angle", "P.x", "P.y"]
-            values, slopes = tangents.moved(row).evaluate(signals, times[[k]])
+            values, slopes = tangents.at_parameters(row).evaluate(signals, times[[k]])
             np.testing.assert_allclose(values[1:, 0], place, atol=1e-13)
             formula = by_the_paper(theta3, sizes[5], sizes[6], float(theta4[k]), turns)
             for found, reference in ((slopes[1:, :, 0], wanted), (slopes[1:, :, 0], formula)):

@@ -196,7 +196,7 @@ def template(model: str, folder: Path) -> tuple[str, list[Finding]]:
             of, size = quantities.unit_of(quantities.dimensions.of(name))
             heads.append(csv_text.head(name, of))
             cells.append(f"{quantities.parameters[name] / size:.12g}")
-    return csv_text.written(heads, [cells]), []
+    return csv_text.table_text(heads, [cells]), []
 
 
 def export_batch(

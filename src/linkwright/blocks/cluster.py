@@ -71,7 +71,7 @@ class Cluster:
         try:
             self._workers, self._counted = sum(client.nthreads().values()), now
         except OSError:
-            raise self._lost() from None
+            raise self._connection_error() from None
         if self._workers:
             self._seen = now
         elif now > self._seen + IDLE:
@@ -110,7 +110,7 @@ class Cluster:
         distributed = needed("distributed", "cluster")
         some, first = window[0]
         if self._client.status != "running" or first.status in ("cancelled", "lost"):
-            raise self._lost()
+            raise self._connection_error()
         futures = (future for _, future in window)
         ready = list(takewhile(lambda future: future.status == "finished", futures)) or [first]
         try:
@@ -118,12 +118,12 @@ class Cluster:
         except distributed.KilledWorker:
             raise ModelError([Finding("blocks.workers-died", (), {"first": some[0], "last": some[-1]})]) from None
         except (distributed.CancelledError, distributed.comm.CommClosedError):
-            raise self._lost() from None
+            raise self._connection_error() from None
         for _ in ready:
             window.popleft()
         return [one for results in gathered for one in results]
 
-    def _lost(self) -> ModelError:
+    def _connection_error(self) -> ModelError:
         self.close()
         return ModelError([Finding("blocks.cluster-lost", (), {"address": self.address})])
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from linkwright.blocks.moments import at, total
+from linkwright.blocks.moments import total, values_at_samples
 from linkwright.blocks.reductions import Array
 from linkwright.blocks.work import Arrays
 
@@ -68,7 +68,7 @@ class FourthTally:
         finite = np.isfinite(y)
         found = finite.sum(axis=1)
         fresh = (self.count == 0) & (found > 0)
-        self.shift = np.where(fresh, at(y, finite.argmax(axis=1)), self.shift)
+        self.shift = np.where(fresh, values_at_samples(y, finite.argmax(axis=1)), self.shift)
         self.count = self.count + found
         d = np.where(finite, y, self.shift[:, None]) - self.shift[:, None]
         power = np.ones_like(d)

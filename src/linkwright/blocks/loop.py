@@ -96,7 +96,7 @@ class _Loop:
         atoms = range(self.sink.next, task.atoms)
         before = sum(task.poses(atom) for atom in range(atoms.start)) if self.progress else 0
         every = before + sum(map(task.poses, atoms)) if self.progress else 0
-        self._tell(before, every)
+        self._report_progress(before, every)
         if not atoms:
             return
         block = block or suited(task, atoms, self.runner)
@@ -104,10 +104,10 @@ class _Loop:
             for atom, result in results:
                 self.sink.take(atom, result)
                 self.poses += task.poses(atom)
-                self._tell(before + self.poses, every)
+                self._report_progress(before + self.poses, every)
                 self._save()
 
-    def _tell(self, done: int, total: int) -> None:
+    def _report_progress(self, done: int, total: int) -> None:
         if self.progress is not None:
             self.progress(done, total)
 

@@ -104,7 +104,7 @@ class MomentsTally:
         found = finite.sum(axis=1)
         fresh = (self.count == 0) & (found > 0)
         if fresh.any():
-            self.shift = np.where(fresh, at(y, finite.argmax(axis=1)), self.shift)
+            self.shift = np.where(fresh, values_at_samples(y, finite.argmax(axis=1)), self.shift)
         d = np.empty((y.shape[0], y.shape[1] + 1, y.shape[2]))
         d[:, 1:] = np.where(finite, y, self.shift[:, None]) - self.shift[:, None]
         d[:, 0] = self.sum
@@ -118,11 +118,11 @@ class MomentsTally:
 
     def _extremes(self, y: Array, finite: NDArray[np.bool_], first: int) -> None:
         where = np.where(finite, y, np.inf).argmin(axis=1)
-        value = np.where(finite.any(axis=1), at(y, where), np.inf)
+        value = np.where(finite.any(axis=1), values_at_samples(y, where), np.inf)
         better = value < self.least
         self.least, self.least_at = np.where(better, value, self.least), np.where(better, where + first, self.least_at)
         where = np.where(finite, y, -np.inf).argmax(axis=1)
-        value = np.where(finite.any(axis=1), at(y, where), -np.inf)
+        value = np.where(finite.any(axis=1), values_at_samples(y, where), -np.inf)
         better = value > self.largest
         self.largest = np.where(better, value, self.largest)
         self.largest_at = np.where(better, where + first, self.largest_at)
@@ -145,7 +145,7 @@ class MomentsTally:
         }
 
 
-def at(y: Array, index: NDArray[np.int64]) -> Array:
+def values_at_samples(y: Array, index: NDArray[np.int64]) -> Array:
     """The values of each output and pose at its own sample."""
     return np.take_along_axis(y, index[:, None], axis=1)[:, 0]
 

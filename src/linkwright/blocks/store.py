@@ -79,9 +79,9 @@ class Stored:
             raise ModelError([Finding("file.exists", (), {"file": str(path)})])
         self.next = 0 if saved is None else saved.next
         with zarr.config.set(WHOLE):
-            self._arrays = self._ready(zarr, saved is not None, dict(attributes or {}))
+            self._arrays = self._open_arrays(zarr, saved is not None, dict(attributes or {}))
 
-    def _ready(self, zarr: Any, begun: bool, attributes: dict[str, Any]) -> dict[str, Any]:
+    def _open_arrays(self, zarr: Any, begun: bool, attributes: dict[str, Any]) -> dict[str, Any]:
         """The arrays, with what is fixed: of the store that is there, or of one made now."""
         there = self._opened(zarr) if begun else None
         if there is None and self.next:
@@ -89,7 +89,7 @@ class Stored:
         try:
             if there is None:
                 self._checkpoint.write(0, {})
-                there = self._made(zarr, {**self._checkpoint.all_versions, **attributes})
+                there = self._created_arrays(zarr, {**self._checkpoint.all_versions, **attributes})
             for name, values in self._fixed.items():
                 there[name][...] = np.asarray(values, dtype=np.float64)
         except OSError as error:
@@ -121,7 +121,7 @@ class Stored:
         except (OSError, KeyError, ValueError):
             return None
 
-    def _made(self, zarr: Any, attributes: dict[str, Any]) -> dict[str, Any]:
+    def _created_arrays(self, zarr: Any, attributes: dict[str, Any]) -> dict[str, Any]:
         sizes = {"sample": self._cut.samples, "pose": self._cut.poses}
         pieces = self._pieces
         located = " ".join(stored_name(v.name) for v in self._variables if v.coordinate and v.dims != (v.name,))
@@ -199,14 +199,14 @@ class Stored:
             size = 8 * math.prod(self._pieces[dim] for dim in v.dims)
             for at in itertools.product(*(range(counts[dim]) for dim in v.dims)):
                 total += 1
-                if not _whole(self._chunk(v, at), size):
+                if not _is_file_of_size(self._chunk(v, at), size):
                     place = dict(zip(v.dims, at, strict=True))
                     atom = place.get("sample", 0) * self._cut.ranges + place.get("pose", 0)
                     missing.append(0 if v.name in self._fixed else atom)
         return missing, total
 
 
-def _whole(file: Path, size: int) -> bool:
+def _is_file_of_size(file: Path, size: int) -> bool:
     try:
         found = file.lstat()
     except OSError:

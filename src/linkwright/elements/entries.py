@@ -44,7 +44,7 @@ class JointEntry(Frozen):
         return tuple(getattr(self, self.kind))
 
     @property
-    def ends(self) -> tuple[str, ...]:
+    def joint_points(self) -> tuple[str, ...]:
         """The point of each link that the joint is stated by."""
         raise NotImplementedError
 
@@ -63,7 +63,7 @@ class JointEntry(Frozen):
         """The values of its signals at which curves of its closure join, so that the links' jerk jumps there."""
         return {}
 
-    def wrong(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[FaultWithin]:
+    def number_faults(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[FaultWithin]:
         """What is wrong with its numbers together; ``value`` gives them in SI, one or an array of samples."""
         yield from ()
 
@@ -83,7 +83,7 @@ class ForceEntry(Frozen):
         assert isinstance(found, Dimension)
         return found
 
-    def wrong(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[tuple[Any, FaultWithin]]:
+    def number_faults(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[tuple[Any, FaultWithin]]:
         """What is wrong with its numbers together: whether, or of which samples, and the fault. ``value`` gives the
         numbers in SI, one or an array of samples."""
         yield from ()
@@ -112,14 +112,14 @@ def keys_of(entry: type[BaseModel]) -> set[str]:
     return {field.alias or name for name, field in entry.model_fields.items()}
 
 
-def stated(keys: Iterable[Any], usual: type[BaseModel]) -> dict[Any, type[BaseModel]]:
+def entries_by_key(keys: Iterable[Any], usual: type[BaseModel]) -> dict[Any, type[BaseModel]]:
     """The entries of the kinds, of any section, that the keys of one entry name; ``usual`` is that of no such key."""
     keys = {*keys}
     others = keys - keys_of(usual)
 
-    def found() -> dict[Any, type[BaseModel]]:
+    def named_entries() -> dict[Any, type[BaseModel]]:
         return {key: of[key] for of in ENTRIES.values() for key in of if key in others}
 
-    if keys.difference(*map(keys_of, found().values() or [usual])):
+    if keys.difference(*map(keys_of, named_entries().values() or [usual])):
         load("elements")
-    return found()
+    return named_entries()

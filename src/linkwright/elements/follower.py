@@ -44,7 +44,7 @@ class FollowerGeometry(JointGeometry, Protocol):
     def nominal(self) -> FollowerGeometry:
         """The same at the nominal parameters, without clearance."""
 
-    def bound(self, expression: Any, dimension: Any) -> Node:
+    def bind(self, expression: Any, dimension: Any) -> Node:
         """An expression as a tree in SI."""
 
     def pinned(self, link: str, point: str) -> Pair:
@@ -94,7 +94,7 @@ class FollowerEntry(JointEntry):
     follows = True
 
     @property
-    def ends(self) -> tuple[str, ...]:
+    def joint_points(self) -> tuple[str, ...]:
         """No points: the joint of its links is another one."""
         return ()
 
@@ -197,7 +197,7 @@ class Follower(MoverSignals, ABC):
         return {}
 
     @property
-    def paired(self) -> bool:
+    def has_second_contact(self) -> bool:
         """Whether a second contact holds the link where the first one would have to pull."""
         return False
 

@@ -100,7 +100,7 @@ class ForceContext(LinkPoses, Protocol):
         """An expression of the entry, in parameters, the time, tables and signals."""
 
     def lookup(self, table: str, argument: Node, integral: bool = False) -> Scalar:
-        """The answer of a table that the kind has ``asked``."""
+        """The answer of a table among the kind's ``needed_tables``."""
 
     def signal(self, text: str) -> Scalar:
         """Another signal of the mechanism, among those on which the kind ``depends``."""
@@ -135,8 +135,8 @@ class ForceReports(MoverReports, Protocol):
 class ForceKind(ABC, Generic[E]):
     """A kind of what acts on links; stateless. ``name`` is that of an element in its section of the file.
 
-    ``applied``, ``lost`` and ``misfits`` are its proof: they know the model's dimensions and what a run reports, and
-    ask none of the kind's other methods.
+    ``applied``, ``dissipative_forces`` and ``misfits`` are its proof: they know the model's dimensions and what a run
+    reports, and ask none of the kind's other methods.
     """
 
     name: ClassVar[str]
@@ -183,7 +183,7 @@ class ForceKind(ABC, Generic[E]):
         """What is wrong with the names of an entry that stands at a path, besides those that no element has."""
         yield from ()
 
-    def uses(self, mechanism: Any, entry: E) -> Iterator[Use]:
+    def implied_expressions(self, mechanism: Any, entry: E) -> Iterator[Use]:
         """Expressions that no field holds, such as a table as if it were called, which tells the units of its
         columns."""
         yield from ()
@@ -206,7 +206,7 @@ class ForceKind(ABC, Generic[E]):
         """Signals of other elements on which it depends, besides those in its laws."""
         return ()
 
-    def asked(self, name: str, entry: E) -> tuple[AskedTable, ...]:
+    def needed_tables(self, name: str, entry: E) -> tuple[AskedTable, ...]:
         """The tables that it asks, besides those in its laws."""
         return ()
 
@@ -254,7 +254,7 @@ class ForceKind(ABC, Generic[E]):
         """What it does to its links."""
         return []
 
-    def lost(self, reports: ForceReports, name: str, entry: E) -> list[Applied]:
+    def dissipative_forces(self, reports: ForceReports, name: str, entry: E) -> list[Applied]:
         """The part of that whose work isn't stored; all of it unless told otherwise."""
         return self.applied(reports, name, entry)
 
@@ -278,7 +278,7 @@ class ForceKind(ABC, Generic[E]):
         pulls, -1 where it pushes."""
         return None
 
-    def drawn(self, mechanism: Any, entry: E) -> Between | None:
+    def outline(self, mechanism: Any, entry: E) -> Between | None:
         """What is drawn of it."""
         return None
 

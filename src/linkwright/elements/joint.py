@@ -61,10 +61,10 @@ class Outer(Protocol):
     def place(self, start: Any, rates: Jet) -> Body:
         """The link's motion from its coordinate, as dyads have it, and the rates (q', q'', ...)."""
 
-    def at(self, start: Scalar, rates: Jet) -> Body:
+    def place_at(self, start: Scalar, rates: Jet) -> Body:
         """The same from the coordinate as one number or symbol (rad or m)."""
 
-    def driven(self, base: Body, law: Jet) -> Body:
+    def driven_body(self, base: Body, law: Jet) -> Body:
         """The link where a drive prescribes its coordinate relative to the ``base`` link by a law (rad or m)."""
 
     def twist(self, body: Body) -> Twist:
@@ -145,7 +145,7 @@ class JointGeometry(Protocol):
     def play(self, joint: str, name: str) -> Scalar:
         """The offset of a joint of that name (see :class:`LooseJoint`), in SI."""
 
-    def written(self, value: float, dimension: Any) -> str:
+    def text_of(self, value: float, dimension: Any) -> str:
         """A value in SI as the file has such ones, with its unit."""
 
     def place(self, link: str, at: Any) -> Pair:
@@ -190,7 +190,7 @@ class JointReports(Protocol):
     def geometry(self) -> JointGeometry:
         """The model's dimensions."""
 
-    def at(self, link: str, local: Any) -> Array:
+    def point_position(self, link: str, local: Any) -> Array:
         """A link's point in the frame (m)."""
 
     def turned(self, link: str, local: Any) -> Array:

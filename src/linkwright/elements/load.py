@@ -111,7 +111,7 @@ class Loads(ForceKind[Load]):
         if entry.against == entry.on:
             yield Finding("load.against-itself", path, {"name": entry.on})
 
-    def uses(self, mechanism: Any, entry: Load) -> Iterator[Use]:
+    def implied_expressions(self, mechanism: Any, entry: Load) -> Iterator[Use]:
         # The signal that bounds its window, of which the load is then a function.
         window = mechanism.windows.get(entry.window) if entry.window else None
         for signal in window if isinstance(window, dict) else ():
@@ -151,7 +151,7 @@ class Loads(ForceKind[Load]):
             turns_with = geometry.mechanism.joints[entry.along].links[0]
             heading = geometry.line(entry.along, turns_with)[1]
             local = Pair(force.x * heading.x, force.x * heading.y)
-        place = reports.at(entry.on, geometry.place(entry.on, entry.at))
+        place = reports.point_position(entry.on, geometry.place(entry.on, entry.at))
         acts = reports.turned(turns_with, local)
         found: list[Applied] = [(entry.on, acts, place, torque)]
         return [*found, (entry.against, -acts, place, -torque)] if entry.against else found

@@ -46,11 +46,11 @@ class OuterPin:
     def place(self, start: Turn, rates: Jet) -> Body:
         return Body(self.base, self.foot, turning_axis(start, rates), rates)
 
-    def at(self, start: Scalar, rates: Jet) -> Body:
+    def place_at(self, start: Scalar, rates: Jet) -> Body:
         body = self.place(unit_vector(start), rates)
         return Body(body.anchor, body.local, body.axis, body.turn, start)
 
-    def driven(self, base: Body, law: Jet) -> Body:
+    def driven_body(self, base: Body, law: Jet) -> Body:
         turn = base.turn + law.rate() if law.order else base.turn
         body = self.place(base.axis.now.turned(unit_vector(law.d[0])), turn)
         known = None if base.angle is None else base.angle + law.d[0]
@@ -173,7 +173,7 @@ class Revolute(JointKind):
             arms = [geometry.point(link, point).minus(pinned) for point in points]
             reach = max(math.hypot(float(arm.x), float(arm.y)) for arm in arms)
             if 0 < reach <= stated.clearance:
-                length = geometry.written(reach, u.LENGTH)
+                length = geometry.text_of(reach, u.LENGTH)
                 yield "clearance.too-large", {"name": joint, "link": link, "length": length}
                 return
 
@@ -181,16 +181,16 @@ class Revolute(JointKind):
         return bodies[link].point(geometry.pin_point(joint, link)).now
 
     def misses(self, reports: JointReports, joint: str, links: Sequence[str]) -> list[Miss]:
-        first, *others = (reports.at(link, reports.geometry.pin_point(joint, link)) for link in links)
+        first, *others = (reports.point_position(link, reports.geometry.pin_point(joint, link)) for link in links)
         return [Miss(other - first, length=True) for other in others]
 
     def constraints(self, reports: JointReports, joint: str, links: Sequence[str]) -> list[list[Rate]]:
         first, *others = links
-        place = reports.at(first, reports.geometry.pin_point(joint, first))
+        place = reports.point_position(first, reports.geometry.pin_point(joint, first))
         axes = [np.repeat([[x], [y]], place.shape[1], axis=1) for x, y in ((1.0, 0.0), (0.0, 1.0))]
         return [[Rate(link, 1.0, place, axis), Rate(first, -1.0, place, axis)] for link in others for axis in axes]
 
     def applied(self, reports: JointReports, contact: ContactReaction) -> tuple[str, Array, Array, Array | float]:
         # Reported is the force of the link on the pin; the pin answers with the opposite.
-        place = reports.at(contact.link, reports.geometry.pin_point(contact.joint, contact.link))
+        place = reports.point_position(contact.link, reports.geometry.pin_point(contact.joint, contact.link))
         return contact.link, -reports.reaction(contact)[0], place, 0.0

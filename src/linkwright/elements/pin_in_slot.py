@@ -117,7 +117,7 @@ class PinInSlotEntry(JointEntry):
             yield "joint.slot", {"given": ", ".join(slots) or "-"}
 
     @property
-    def ends(self) -> tuple[str, ...]:
+    def joint_points(self) -> tuple[str, ...]:
         if self.arc is not None:
             return self.pin, self.arc.centre
         return self.pin, self.axis.point
@@ -134,7 +134,7 @@ class PinInSlotEntry(JointEntry):
     def joins(self) -> Mapping[str, tuple[Expression, ...]]:
         return {} if self.curve is None else {"s": tuple(along for along, _ in self.curve.through)}
 
-    def wrong(self, value: Callable[[Expression, u.Dimension], Any]) -> Iterator[FaultWithin]:
+    def number_faults(self, value: Callable[[Expression, u.Dimension], Any]) -> Iterator[FaultWithin]:
         places = self.curve.through if self.curve is not None else ()
         along = [value(x, u.LENGTH) for x, _ in places]
         for row, (before, after) in enumerate(pairwise(along), start=2):
@@ -339,16 +339,16 @@ class PinInSlot(JointKind):
     # The proof: the pin's place in the slot and its normal once more, from reported poses, in plain NumPy.
 
     def misses(self, reports: JointReports, joint: str, links: Sequence[str]) -> list[Miss]:
-        return [Miss(_seen(reports, joint)[2], length=True)]
+        return [Miss(_reported_contact(reports, joint)[2], length=True)]
 
     def constraints(self, reports: JointReports, joint: str, links: Sequence[str]) -> list[list[Rate]]:
-        place, normal, _ = _seen(reports, joint)
+        place, normal, _ = _reported_contact(reports, joint)
         a, b = links
         return [[Rate(a, 1.0, place, normal), Rate(b, -1.0, place, normal)]]
 
     def applied(self, reports: JointReports, contact: ContactReaction) -> tuple[str, Array, Array, Array | float]:
         # Reported is the force of the link on the other; what it gets is the opposite, along the normal alone.
-        place, normal, _ = _seen(reports, contact.joint)
+        place, normal, _ = _reported_contact(reports, contact.joint)
         force = -np.asarray(reports.reaction(contact)[0])
         return contact.link, (force * normal).sum(axis=0) * normal, place, 0.0
 
@@ -369,13 +369,13 @@ def _slot(geometry: JointGeometry, entry: PinInSlotEntry, link: str) -> tuple[Pa
     return base, heading, SplineSlot.through(places)
 
 
-def _seen(reports: JointReports, joint: str) -> tuple[Array, Array, Array]:
+def _reported_contact(reports: JointReports, joint: str) -> tuple[Array, Array, Array]:
     """The pin's place and the slot's normal there (2, times), and how far the pin lies beside the slot (m)."""
     geometry = reports.geometry
     entry = geometry.mechanism.joints[joint]
     a, b = entry.links
-    place = reports.at(a, geometry.point(a, entry.pin))
-    base = reports.at(b, geometry.point(b, entry.ends[1]))
+    place = reports.point_position(a, geometry.point(a, entry.pin))
+    base = reports.point_position(b, geometry.point(b, entry.joint_points[1]))
     away = place - base
     if entry.arc is not None:
         size = np.hypot(*away)

@@ -49,9 +49,9 @@ class OuterLine:
         )
         return Body(self.base.plus(self.direction.times(travel)), self.foot, axis, self.turn, self.angle)
 
-    at = place
+    place_at = place
 
-    def driven(self, base: Body, law: Jet) -> Body:
+    def driven_body(self, base: Body, law: Jet) -> Body:
         return self.place(law.d[0], law.rate())
 
     def twist(self, body: Body) -> Twist:

@@ -44,7 +44,7 @@ _AT_JOINT = ("turns", "on", "torque")
 _LINEAR, _GAS = ("free", "preload"), ("progression", "exponent")
 
 
-def _end(place: int) -> Ref:
+def _end_point_ref(place: int) -> Ref:
     """A point of the link that stands at this place under `in`, where that is given."""
     return Ref("point", of=lambda c: None if c.entry.in_ is None else str(c.entry.in_[place]))
 
@@ -65,8 +65,10 @@ class Spring(ForceEntry):
 
     kind: ClassVar[str] = "spring"
 
-    from_: Annotated[Name | None, _end(0)] = Field(None, alias="from", description="the point where one end is fixed")
-    to: Annotated[Name | None, _end(1)] = Field(None, description="the point where the other end is fixed")
+    from_: Annotated[Name | None, _end_point_ref(0)] = Field(
+        None, alias="from", description="the point where one end is fixed"
+    )
+    to: Annotated[Name | None, _end_point_ref(1)] = Field(None, description="the point where the other end is fixed")
     in_: TwoLinks | None = Field(
         None, alias="in", description="the links of the two points, where a point name lies on several links"
     )
@@ -105,7 +107,7 @@ class Spring(ForceEntry):
         None, description="[smallest, greatest] length that the part allows"
     )
 
-    def wrong(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[tuple[Any, FaultWithin]]:
+    def number_faults(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[tuple[Any, FaultWithin]]:
         if self.gas is not None and self.progression is not None:
             yield np.less_equal(value(self.progression, u.PURE), 1), ("spring.progression", {}, "progression")
 
@@ -148,7 +150,7 @@ class Spring(ForceEntry):
         """The signal of what it does: ``torque`` or ``force``."""
         return "torque" if self.torsional else "force"
 
-    def ends(self, mechanism: Any) -> tuple[tuple[str, str], tuple[str, str]]:
+    def end_points(self, mechanism: Any) -> tuple[tuple[str, str], tuple[str, str]]:
         """Link and point of each end of one between two points; a pinned point counts as its first link's."""
         points = (str(self.from_), str(self.to))
         first = homes(mechanism)
@@ -190,12 +192,12 @@ class Springs(ForceKind[Spring]):
         if ends[0] is not None and ends[0] == ends[1]:
             yield Finding("spring.same-link", path, {"name": ends[0]})
 
-    def uses(self, mechanism: Any, entry: Spring) -> Iterator[Use]:
+    def implied_expressions(self, mechanism: Any, entry: Spring) -> Iterator[Use]:
         if entry.table:
             key, one, value = ("torque", "1 rad", u.TORQUE) if entry.torsional else ("force", "1 m", u.FORCE)
             yield Use(key, Expression(f"{entry.table}({one})"), value, Scope.TIME)
 
-    def asked(self, name: str, entry: Spring) -> tuple[AskedTable, ...]:
+    def needed_tables(self, name: str, entry: Spring) -> tuple[AskedTable, ...]:
         argument = Signal(f"{name}.{entry.measure}")
         return tuple(AskedTable(entry.table, argument, integral) for integral in (False, True)) if entry.table else ()
 
@@ -216,7 +218,7 @@ class Springs(ForceKind[Spring]):
             return
         start, end = _places(context, entry)
         gap, length = end.minus(start).now, _stretch(context, name, entry, 0)
-        (a, _), (b, _) = entry.ends(context.geometry.mechanism)
+        (a, _), (b, _) = entry.end_points(context.geometry.mechanism)
         pull = Pair(force * gap.x / length, force * gap.y / length)
         yield a, Wrench(pull, 0.0, start.now)
         yield b, Wrench(Pair(-pull.x, -pull.y), 0.0, end.now)
@@ -239,14 +241,14 @@ class Springs(ForceKind[Spring]):
         return entry.measure, entry.effort
 
     def applied(self, reports: ForceReports, name: str, entry: Spring) -> list[Applied]:
-        x, rate, _, _ = _seen(reports, name, entry)
+        x, rate, _, _ = _reported_state(reports, name, entry)
         return _pulled(reports, name, entry, _elastic_force(reports, entry, x) + _damping_force(reports, entry, rate))
 
-    def lost(self, reports: ForceReports, name: str, entry: Spring) -> list[Applied]:
-        return _pulled(reports, name, entry, _damping_force(reports, entry, _seen(reports, name, entry)[1]))
+    def dissipative_forces(self, reports: ForceReports, name: str, entry: Spring) -> list[Applied]:
+        return _pulled(reports, name, entry, _damping_force(reports, entry, _reported_state(reports, name, entry)[1]))
 
     def misfits(self, reports: ForceReports, name: str, entry: Spring) -> list[Misfit]:
-        x, rate, _, _ = _seen(reports, name, entry)
+        x, rate, _, _ = _reported_state(reports, name, entry)
         force = _elastic_force(reports, entry, x) + _damping_force(reports, entry, rate)
         return [Misfit(reports.rows[f"{name}.{entry.effort}"] - force, not entry.torsional)]
 
@@ -261,10 +263,10 @@ class Springs(ForceKind[Spring]):
     def pull(self, entry: Spring) -> tuple[str, int] | None:
         return None if entry.torsional else ("force", 1 if entry.gas is None else -1)
 
-    def drawn(self, mechanism: Any, entry: Spring) -> Between | None:
+    def outline(self, mechanism: Any, entry: Spring) -> Between | None:
         if entry.torsional:
             return None
-        links, points = zip(*entry.ends(mechanism), strict=True)
+        links, points = zip(*entry.end_points(mechanism), strict=True)
         return Between(links, points, "coil" if entry.stiffness or entry.table else "strut")
 
     def sentence(
@@ -286,7 +288,7 @@ def _number(context: ForceContext, entry: Spring, key: str, default: float = 0.0
 def _places(context: ForceContext, entry: Spring) -> tuple[Vec, Vec]:
     """The places of its two ends."""
     geometry = context.geometry
-    (a, p), (b, q) = entry.ends(geometry.mechanism)
+    (a, p), (b, q) = entry.end_points(geometry.mechanism)
     return context.bodies[a].point(geometry.point(a, p)), context.bodies[b].point(geometry.point(b, q))
 
 
@@ -339,7 +341,7 @@ def _effort(context: ForceContext, name: str, entry: Spring) -> Scalar:
     return force + _number(context, entry, "damping") * _stretch(context, name, entry, 1)
 
 
-def _told(reports: ForceReports, entry: Spring, key: str, default: float = 0.0) -> float:
+def _stated_number(reports: ForceReports, entry: Spring, key: str, default: float = 0.0) -> float:
     """One of its numbers (SI)."""
     given = getattr(entry, key)
     return default if given is None else float(reports.geometry.number(given, entry.dimension(key)))
@@ -352,31 +354,36 @@ def _elastic_force(reports: ForceReports, entry: Spring, x: Array) -> Array:
     if entry.gas is not None:
         assert entry.length is not None
         short, long = (float(reports.geometry.number(edge, u.LENGTH)) for edge in entry.length)
-        n = _told(reports, entry, "exponent", 1.0)
+        n = _stated_number(reports, entry, "exponent", 1.0)
         # The pressure falls as the volume rises; volumes over the rod's section, extended 1.
-        filled = 1 - _told(reports, entry, "progression") ** (-1 / n)
+        filled = 1 - _stated_number(reports, entry, "progression") ** (-1 / n)
         with np.errstate(invalid="ignore", divide="ignore"):
             volume = 1 - filled * (long - x) / (long - short)
-            return np.asarray(-_told(reports, entry, "gas") * np.exp(-n * np.log(volume)))
+            return np.asarray(-_stated_number(reports, entry, "gas") * np.exp(-n * np.log(volume)))
     if entry.stiffness is None:
         return np.zeros_like(x)
-    over = x - _told(reports, entry, "free")
-    return _told(reports, entry, "preload") + _told(reports, entry, "stiffness") * over
+    over = x - _stated_number(reports, entry, "free")
+    return _stated_number(reports, entry, "preload") + _stated_number(reports, entry, "stiffness") * over
 
 
 def _damping_force(reports: ForceReports, entry: Spring, rate: Array) -> Array:
     """The force or torque of its damping at rates (m/s, rad/s)."""
-    return _told(reports, entry, "damping") * rate
+    return _stated_number(reports, entry, "damping") * rate
 
 
-def _seen(reports: ForceReports, name: str, entry: Spring) -> tuple[Array, Array, Array, list[tuple[str, Array]]]:
+def _reported_state(
+    reports: ForceReports, name: str, entry: Spring
+) -> tuple[Array, Array, Array, list[tuple[str, Array]]]:
     """Its length or angle, the rate of that, its direction, and link and place of each end.
 
     Of an angle only the whole turns are taken from the report.
     """
     if not entry.torsional:
         geometry = reports.geometry
-        ends = [(link, reports.at(link, geometry.point(link, p))) for link, p in entry.ends(geometry.mechanism)]
+        ends = [
+            (link, reports.point_position(link, geometry.point(link, p)))
+            for link, p in entry.end_points(geometry.mechanism)
+        ]
         (a, start), (b, end) = ends
         gap = end - start
         length = np.hypot(*gap)
@@ -395,7 +402,7 @@ def _seen(reports: ForceReports, name: str, entry: Spring) -> tuple[Array, Array
 
 def _pulled(reports: ForceReports, name: str, entry: Spring, force: Array) -> list[Applied]:
     """What a force along its direction, or a torque, does to both its links."""
-    _, _, along, ends = _seen(reports, name, entry)
+    _, _, along, ends = _reported_state(reports, name, entry)
     found: list[Applied] = []
     for (link, place), sign in zip(ends, (1.0, -1.0), strict=True):
         if entry.torsional:

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.enclosures.forms import FEW, UNIT, AffineForm, joined
+from linkwright.enclosures.forms import FEW, UNIT, AffineForm, joined_forms
 from linkwright.notation.harmonics import ORDERS, WEIGHTS, basis
 
 Array = NDArray[np.float64]
@@ -50,21 +50,21 @@ class Stretches:
     half: Array
     room: AffineForm
 
-    def some(self, which: Rows | Mask) -> Stretches:
+    def select(self, which: Rows | Mask) -> Stretches:
         """Some of them."""
         of, low, high, most, middle, half = (part[which] for part in self._arrays)
-        return Stretches(of, low, high, most, middle, half, self.room.some(which))
+        return Stretches(of, low, high, most, middle, half, self.room.select(which))
 
     @property
     def _arrays(self) -> tuple[Any, ...]:
         return self.of, self.low, self.high, self.most, self.middle, self.half
 
     @staticmethod
-    def joined(parts: Sequence[Stretches]) -> Stretches:
+    def concatenated(parts: Sequence[Stretches]) -> Stretches:
         """Several sets of them as one."""
         arrays = zip(*(one._arrays for one in parts), strict=True)
         of, low, high, most, middle, half = (np.concatenate(row) for row in arrays)
-        return Stretches(of, low, high, most, middle, half, joined([one.room for one in parts]))
+        return Stretches(of, low, high, most, middle, half, joined_forms([one.room for one in parts]))
 
 
 def stretches(polynomials: Polynomials) -> Stretches:
@@ -76,12 +76,12 @@ def stretches(polynomials: Polynomials) -> Stretches:
         for level in range(1, LEVELS + 2):
             told = _Told(polynomials, of, low, high)
             vague = told.vague & hopeful
-            parts += [told.single(), told.double(), told.whole(told.vague & ~vague)]
+            parts += [told.single(), told.double(), told.undecided(told.vague & ~vague)]
             if not vague.any():
                 break
             width = 2 * np.pi / PANELS * 2.0 ** (1 - level)
-            of, low, high, hopeful = polynomials.cut(of[vague], low[vague], high[vague], width, level < LEVELS)
-    return Stretches.joined(parts)
+            of, low, high, hopeful = polynomials.subdivided(of[vague], low[vague], high[vague], width, level < LEVELS)
+    return Stretches.concatenated(parts)
 
 
 def numbered(count: Rows) -> Rows:
@@ -96,7 +96,7 @@ class Polynomials:
 
     def __init__(self, values: list[AffineForm], local: Local) -> None:
         self._local = local
-        rows = [np.broadcast_arrays(one.value, one.u, one.v, one.rest, one.reach) for one in values]
+        rows = [np.broadcast_arrays(one.value, one.u, one.v, one.rest, one.magnitude_bound) for one in values]
         value, u, v, rest, reach = (np.stack(row).astype(float) for row in zip(*rows, strict=True))
         rest = np.where(np.isfinite(rest), rest, HUGE)
         self.value, self.u, self.v = WEIGHTS @ value, WEIGHTS @ u, WEIGHTS @ v
@@ -136,7 +136,7 @@ class Polynomials:
         (of, start), stop = np.nonzero(edges == 1), np.nonzero(edges == -1)[1]
         return of, begun[of] + 2 * half * start, begun[of] + 2 * half * stop
 
-    def cut(
+    def subdivided(
         self, of: Rows, low: Array, high: Array, width: float, more: bool
     ) -> tuple[Rows, Array, Array, NDArray[np.bool_]]:
         """What is left of stretches when they are cut into parts of some width; and whether cutting them once ``more``
@@ -166,7 +166,7 @@ class _About:
     def __init__(self, derivatives: list[AffineForm], most: Array) -> None:
         self.derivatives, self.most = derivatives, most
         self.rest = [one.lean + one.rest for one in derivatives]
-        self.size = [one.reach + one.rest for one in derivatives]
+        self.size = [one.magnitude_bound + one.rest for one in derivatives]
 
     def over(self, order: int, half: Array) -> tuple[Array, Array]:
         """Bounds of a derivative up to ``half`` to both sides."""
@@ -195,17 +195,17 @@ class _Told:
         self._two = bent & (ends[0] == self.sign)
         self.vague = ~monotone & ~bent
 
-    def _made(self, which: Rows, most: int, middle: Array, half: Array, room: AffineForm) -> Stretches:
+    def _stretches(self, which: Rows, most: int, middle: Array, half: Array, room: AffineForm) -> Stretches:
         of, low, high = self.of[which], self.low[which], self.high[which]
         return Stretches(of, low, high, np.full(which.size, most), middle, half, room)
 
-    def _ends(self, which: Rows) -> tuple[Array, Array]:
+    def _middle_and_half(self, which: Rows) -> tuple[Array, Array]:
         return (self.low + self.high)[which] / 2, (self.high - self.low)[which] / 2
 
     def single(self) -> Stretches:
         """Stretches with one zero."""
         which = np.flatnonzero(self._one)
-        return self._made(which, 1, *self._ends(which), AffineForm(np.ones(which.size)))
+        return self._stretches(which, 1, *self._middle_and_half(which), AffineForm(np.ones(which.size)))
 
     def double(self) -> Stretches:
         """Stretches with one extremum, that may lie beyond zero."""
@@ -217,27 +217,27 @@ class _Told:
             phi = np.clip(phi - np.nan_to_num(step), low, high)
         here, slope = self.polynomials.about(of, phi).derivatives[:2]
         bend = np.min(np.abs([one[which] for one in self.bend]), axis=0)
-        steep = (slope.reach + slope.rest) * (1 + FEW)
+        steep = (slope.magnitude_bound + slope.rest) * (1 + FEW)
         # The extremum lies beyond the value here by no more than this.
         beyond = steep**2 / (2 * bend) * (1 + FEW)
         room = here * AffineForm(-sign) + AffineForm(beyond / 2, rest=beyond / 2 * (1 + FEW))
-        top = room.ends[1]
+        top = room.bounds[1]
         # The parabola of the least bend lies within the polynomial.
         far = (steep + np.sqrt(steep**2 + 2 * bend * np.maximum(top, 0.0))) / bend * (1 + FEW)
         half = np.minimum(far, np.maximum(high - phi, phi - low))
         some = top >= 0
-        return self._made(which[some], 2, phi[some], half[some], room.some(some))
+        return self._stretches(which[some], 2, phi[some], half[some], room.select(some))
 
-    def whole(self, vague: Mask) -> Stretches:
+    def undecided(self, vague: Mask) -> Stretches:
         """Stretches of which nothing is known."""
         which = np.flatnonzero(vague)
         unknown = AffineForm(np.zeros(which.size), rest=np.full(which.size, np.inf))
-        return self._made(which, 0, *self._ends(which), unknown)
+        return self._stretches(which, 0, *self._middle_and_half(which), unknown)
 
 
 def turned(phi: Array, away: AffineForm) -> tuple[AffineForm, AffineForm]:
     """Cosine and sine of angles ``phi`` + ``away``, by Taylor's formula."""
-    most = (away.reach + away.rest) * (1 + FEW)
+    most = (away.magnitude_bound + away.rest) * (1 + FEW)
     wide, most = most > 1.0, np.minimum(most, 1.0)
     cosine = AffineForm(1.0) + away.square() * AffineForm(-0.5)
     cosine.rest = cosine.rest + most**4 / 24

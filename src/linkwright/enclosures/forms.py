@@ -4,7 +4,7 @@ A form says value + u slope_u + v slope_v with an error of no more than ``rest``
 part, so that what depends on itself isn't counted twice (affine arithmetic: Stolfi and de Figueiredo, Self-Validated
 Numerical Methods, 1997, ch. 3; here with two noise symbols that are kept, and one bound of all else). Roots and
 reciprocals are replaced by the line of minimum error over the range. What has no bound has an infinite ``rest``. Each
-operation makes a few roundings of numbers no larger than its operands' ``reach`` makes possible.
+operation makes a few roundings of numbers no larger than its operands' ``magnitude_bound`` makes possible.
 """
 
 from __future__ import annotations
@@ -40,12 +40,12 @@ class AffineForm:
         return abs(self.u) + abs(self.v)
 
     @cached_property
-    def reach(self) -> Any:
+    def magnitude_bound(self) -> Any:
         """A bound of its linear part."""
         return abs(self.value) + self.lean
 
     @cached_property
-    def ends(self) -> tuple[Any, Any]:
+    def bounds(self) -> tuple[Any, Any]:
         """Between which numbers it lies: infinite ones where it has no bound."""
         away = (self.lean + self.rest) * (1 + FEW) + FEW * abs(self.value)
         with np.errstate(invalid="ignore"):
@@ -58,7 +58,7 @@ class AffineForm:
             float
         )
 
-    def some(self, which: Any) -> AffineForm:
+    def select(self, which: Any) -> AffineForm:
         """Some of its forms, of which its value has one each."""
         return AffineForm(*self.parts(self.value.size)[:, which])
 
@@ -66,22 +66,26 @@ class AffineForm:
         return AffineForm(-self.value, -self.u, -self.v, self.rest)
 
     def __add__(self, other: AffineForm) -> AffineForm:
-        rest = self.rest + other.rest + FEW * (self.reach + other.reach)
+        rest = self.rest + other.rest + FEW * (self.magnitude_bound + other.magnitude_bound)
         return AffineForm(self.value + other.value, self.u + other.u, self.v + other.v, rest)
 
     def __sub__(self, other: AffineForm) -> AffineForm:
-        rest = self.rest + other.rest + FEW * (self.reach + other.reach)
+        rest = self.rest + other.rest + FEW * (self.magnitude_bound + other.magnitude_bound)
         return AffineForm(self.value - other.value, self.u - other.u, self.v - other.v, rest)
 
     def __mul__(self, other: AffineForm) -> AffineForm:
-        a, b, size = self.value, other.value, self.reach * other.reach
+        a, b, size = self.value, other.value, self.magnitude_bound * other.magnitude_bound
         if self.constant or other.constant:
             one, many = (self, other) if self.constant else (other, self)
             rest = abs(one.value) * many.rest + FEW * size + TINY
             if np.any(one.rest):
-                rest = rest + (many.reach + many.rest) * one.rest
+                rest = rest + (many.magnitude_bound + many.rest) * one.rest
             return AffineForm(a * b, many.u * one.value, many.v * one.value, rest * (1 + FEW))
-        rest = self.lean * other.lean + self.reach * other.rest + (other.reach + other.rest) * self.rest
+        rest = (
+            self.lean * other.lean
+            + self.magnitude_bound * other.rest
+            + (other.magnitude_bound + other.rest) * self.rest
+        )
         rest = rest * (1 + FEW) + (FEW * size + TINY)
         return AffineForm(a * b, a * other.u + b * self.u, a * other.v + b * self.v, rest)
 
@@ -91,19 +95,19 @@ class AffineForm:
             return self * self
         # The linear part's square lies between 0 and that of its bound: half of that is the middle.
         half, twice = self.lean * self.lean / 2, 2 * self.value
-        rest = half + (2 * self.reach + self.rest) * self.rest
-        rest = rest * (1 + FEW) + (FEW * self.reach * self.reach + TINY)
+        rest = half + (2 * self.magnitude_bound + self.rest) * self.rest
+        rest = rest * (1 + FEW) + (FEW * self.magnitude_bound * self.magnitude_bound + TINY)
         return AffineForm(self.value * self.value + half, twice * self.u, twice * self.v, rest)
 
     def _along(self, slope: Any, middle: Any, off: Any) -> AffineForm:
         """The form ``slope`` times it + ``middle``, off by ``off`` besides."""
         value, u, v = slope * self.value + middle, slope * self.u, slope * self.v
-        size = abs(slope) * self.reach + abs(middle)
+        size = abs(slope) * self.magnitude_bound + abs(middle)
         return AffineForm(value, u, v, (abs(slope) * self.rest + off) * (1 + FEW) + (FEW * size + TINY))
 
     def sqrt(self) -> AffineForm:
         """The square root where it is real; what it says elsewhere means nothing."""
-        low, high = (np.maximum(end, 0.0) for end in self.ends)
+        low, high = (np.maximum(end, 0.0) for end in self.bounds)
         # The chord and the tangent along it: the root lies between, their middle is the best line.
         a, b = np.sqrt(low), np.sqrt(high)
         both = np.maximum(a + b, TINY)
@@ -112,7 +116,7 @@ class AffineForm:
 
     def inverse(self) -> AffineForm:
         """Its reciprocal; of a range that holds 0 without bound."""
-        low, high = self.ends
+        low, high = self.bounds
         good = (low > 0) | (high < 0)
         sign = np.where(low > 0, 1.0, -1.0)
         ends = np.where(good, [np.minimum(abs(low), abs(high)), np.maximum(abs(low), abs(high))], 1.0)
@@ -126,13 +130,13 @@ class AffineForm:
 
     def magnitude(self) -> AffineForm:
         """Its magnitude."""
-        low, high = self.ends
+        low, high = self.bounds
         known, sign = (low >= 0) | (high <= 0), np.where(low >= 0, 1.0, -1.0)
         most = np.maximum(abs(low), abs(high)) / 2
         parts = ((sign * self.value, most), (sign * self.u, 0.0), (sign * self.v, 0.0), (self.rest, most * (1 + FEW)))
         return AffineForm(*(np.where(known, one, other) for one, other in parts))
 
 
-def joined(forms: list[AffineForm]) -> AffineForm:
+def joined_forms(forms: list[AffineForm]) -> AffineForm:
     """Several arrays of forms as one."""
     return AffineForm(*np.concatenate([one.parts(one.value.size) for one in forms], axis=1))

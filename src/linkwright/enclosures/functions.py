@@ -49,7 +49,7 @@ def composed(x: TaylorModel, terms: Sequence[Array], error: Array | float, last:
     """g(x) from the Taylor coefficients ``terms`` of g at x's first coefficient, each known to an ``error``, and a
     bound ``last`` of the next one all over x's range."""
     away = TaylorModel(np.concatenate([np.zeros_like(x.c[:1]), x.c[1:]]), x.r, x.on)
-    bound = away.bound
+    bound = away.magnitude_bound
     found = TaylorModel(terms[-1][None], np.zeros_like(bound), x.on)
     for term in terms[-2::-1]:
         found = found * away + TaylorModel(term[None], np.zeros_like(bound), x.on)
@@ -166,7 +166,7 @@ def arctan2(y: Any, x: Any) -> TaylorModel:
     if sure.all():
         return found
     c = np.where(sure, found.c, 0.0)
-    return TaylorModel(c, known(np.where(sure, found.r, 3.1415926535897936), y, x), on)
+    return TaylorModel(c, where_bounded(np.where(sure, found.r, 3.1415926535897936), y, x), on)
 
 
 def turned(y: TaylorModel, x: TaylorModel) -> TaylorModel:
@@ -209,11 +209,11 @@ def hypot(x: Any, y: Any) -> TaylorModel:
     if np.isfinite(found.r).all():
         return found
     with np.errstate(invalid="ignore"):
-        most = np.sqrt(squares.bound) * UP
+        most = np.sqrt(squares.magnitude_bound) * UP
     clear = np.isfinite(found.r)
     c = np.where(clear, found.c, 0.0)
     c[0] = np.where(clear, found.c[0], 0.5 * most)
-    return TaylorModel(c, known(np.where(clear, found.r, 0.5 * most * UP + TINY), squares), found.on)
+    return TaylorModel(c, where_bounded(np.where(clear, found.r, 0.5 * most * UP + TINY), squares), found.on)
 
 
 @register("square")
@@ -226,7 +226,7 @@ def square(x: Any) -> TaylorModel:
 # What has kinks or jumps: decided by signs, bounded where these aren't.
 
 
-def known(r: Array, *args: TaylorModel) -> Array:
+def where_bounded(r: Array, *args: TaylorModel) -> Array:
     """A bound, where all arguments are bounded; NaN where one may have no value."""
     for x in args:
         r = np.where(np.isfinite(x.r), r, np.nan)
@@ -245,7 +245,7 @@ def absolute(x: Any) -> TaylorModel:
     c = np.where(clear, sign * x.c, 0.0)
     most = np.maximum(np.abs(low), np.abs(high))
     c[0] = np.where(clear, c[0], 0.5 * most)
-    return TaylorModel(c, known(np.where(clear, x.r, 0.5 * most * UP + TINY), x), x.on)
+    return TaylorModel(c, where_bounded(np.where(clear, x.r, 0.5 * most * UP + TINY), x), x.on)
 
 
 @register("maximum", "fmax")
@@ -297,7 +297,9 @@ def where(condition: Any, first: Any, second: Any) -> TaylorModel:
     # Between the two: their middle and half their distance.
     half = 0.5 * (a - b)
     middle = 0.5 * (a + b)
-    return _chosen(sign, (a, b, TaylorModel(middle.c, known(middle.r + half.bound, flag), middle.on)), on)
+    return _chosen(
+        sign, (a, b, TaylorModel(middle.c, where_bounded(middle.r + half.magnitude_bound, flag), middle.on)), on
+    )
 
 
 @register("less")
@@ -334,7 +336,7 @@ def _truth(above: TaylorModel, at_zero: float) -> TaylorModel:
 
 def _flag(value: Array, of: TaylorModel) -> TaylorModel:
     """1, 0, or 0.5 where either may be."""
-    return TaylorModel(value[None], known(np.where(value == 0.5, 0.5, 0.0), of), of.on)
+    return TaylorModel(value[None], where_bounded(np.where(value == 0.5, 0.5, 0.0), of), of.on)
 
 
 @register("logical_and")
@@ -362,7 +364,7 @@ def sign(x: Any) -> TaylorModel:
     if x.is_zero():
         return ZERO
     found = x.sign()
-    return TaylorModel(found[None], known(np.where(found == 0, 1.0, 0.0), x), x.on)
+    return TaylorModel(found[None], where_bounded(np.where(found == 0, 1.0, 0.0), x), x.on)
 
 
 @register("copysign")
@@ -384,7 +386,7 @@ def floor(x: Any) -> TaylorModel:
         above = ONE - below
         sure = (below.sign() >= 0) & (above.sign() > 0) & ((below.sign() > 0) | (below.size + below.r == 0))
         low, high = (np.floor(end) for end in x.range())
-    r = known(np.where(sure, 0.0, 0.5 * (high - low) + TINY), x)
+    r = where_bounded(np.where(sure, 0.0, 0.5 * (high - low) + TINY), x)
     return TaylorModel(np.where(sure, whole, 0.5 * (low + high))[None], r, x.on)
 
 

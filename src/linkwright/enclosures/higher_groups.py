@@ -58,7 +58,7 @@ class EnclosedGroup:
 
         for _ in range(REFINED if on.precise else 0):
             paths = [TaylorModel((path - off).c, none, on) for path, off in zip(paths, missed(), strict=True)]
-        off = np.array([one.bound for one in missed()])
+        off = np.array([one.magnitude_bound for one in missed()])
         unit = UNITS[np.dtype(on.dtype).char]
         box = WIDER * off * UP + 4 * unit * np.array([path.size for path in paths])
         wide = [TaylorModel(path.c, reach, on) for path, reach in zip(paths, box, strict=True)]
@@ -66,7 +66,7 @@ class EnclosedGroup:
         most = np.zeros((n, count), dtype=on.dtype)
         for j, column in enumerate(self._turned(inverse, slopes, on)):
             for i, one in enumerate(column):
-                most[i] += (one - 1.0 if i == j else one).bound * box[j]
+                most[i] += (one - 1.0 if i == j else one).magnitude_bound * box[j]
         reach = (off + most) * UP + TINY
         proven = np.all(reach < box, axis=0)
         return {

@@ -98,7 +98,7 @@ class Intervals:
 
     def __pow__(self, power: Any) -> Intervals:
         if isinstance(power, int | float | np.number) and float(power) == int(power):
-            return self._whole(int(power))
+            return self._integer_power(int(power))
         if isinstance(power, float) and power == 0.5:
             return sqrt(self)
         return exp(log(self) * power)
@@ -106,9 +106,9 @@ class Intervals:
     def __rpow__(self, base: Any) -> Intervals:
         return lift(base) ** self
 
-    def _whole(self, power: int) -> Intervals:
+    def _integer_power(self, power: int) -> Intervals:
         if power < 0:
-            return 1.0 / self._whole(-power)
+            return 1.0 / self._integer_power(-power)
         size = absolute(self) if power % 2 == 0 else self
         with np.errstate(all="ignore"):
             low, high = (end**power for end in (size.low, size.high))

@@ -62,18 +62,18 @@ class Enclosure:
         """An expression from its signals."""
         quantities = self.run.compiled.quantities
 
-        def named(name: Name) -> Any:
+        def name_value(name: Name) -> Any:
             if is_signal(name):
                 return rows[self.run.canonical(name)]
             return TaylorModel.time(on) if name.text == "t" else quantities.parameters[name.text]
 
-        def called(call: Call) -> Any:
+        def call_value(call: Call) -> Any:
             if is_signal(call):
                 return rows[self.run.canonical(call)]
-            argument = lift(evaluate(call.args[0], named, called))
-            return self.run.compiled.tables[call.name].given(quantities.parameters).or_nan(Jet([argument])).d[0]
+            argument = lift(evaluate(call.args[0], name_value, call_value))
+            return self.run.compiled.tables[call.name].at_parameters(quantities.parameters).or_nan(Jet([argument])).d[0]
 
-        return lift(evaluate(tree, named, called))
+        return lift(evaluate(tree, name_value, call_value))
 
 
 def _turns(turns: Array, on: Panels) -> TaylorModel:

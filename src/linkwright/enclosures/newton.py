@@ -33,13 +33,13 @@ def solved(equations: Equations, unknowns: int, count: int) -> tuple[list[Affine
         line = _Rows(found[:unknowns], count).times(inverse)
         away = [AffineForm(-line.value[k], -line.u[k], -line.v[k]) for k in range(unknowns)]
         left = _Rows(equations(away)[:unknowns], count).times(inverse)
-        box = WIDER * left.reach
+        box = WIDER * left.magnitude_bound
         found = equations([AffineForm(one.value, one.u, one.v, more) for one, more in zip(away, box, strict=True)])
         spread = np.stack(
             [_Rows(found[unknowns + k :: unknowns], count).times(inverse).away(k) for k in range(unknowns)]
         )
         more = (spread * box[:, None]).sum(axis=0) * (1 + FEW)
-        image = left.reach + more
+        image = left.magnitude_bound + more
         proven = (image < box).all(axis=0)
         more = (spread * image[:, None]).sum(axis=0) * (1 + FEW)
     rest = left.rest + more
@@ -53,7 +53,7 @@ class _Rows:
         self.value, self.u, self.v, self.rest = np.stack([one.parts(count) for one in forms], axis=1)
 
     @property
-    def reach(self) -> Array:
+    def magnitude_bound(self) -> Array:
         """Bounds of their sizes."""
         return np.asarray((np.abs(self.value) + np.abs(self.u) + np.abs(self.v) + self.rest) * (1 + FEW) + TINY)
 
@@ -61,13 +61,13 @@ class _Rows:
         """Mixed by matrices (3, 3, n)."""
         found = _Rows.__new__(_Rows)
         found.value, found.u, found.v = ((matrix * part).sum(axis=1) for part in (self.value, self.u, self.v))
-        found.rest = (np.abs(matrix) * (self.rest + FEW * self.reach)).sum(axis=1) * (1 + FEW)
+        found.rest = (np.abs(matrix) * (self.rest + FEW * self.magnitude_bound)).sum(axis=1) * (1 + FEW)
         return found
 
     def away(self, column: int) -> Array:
         """By how much at most a column of matrices differs from that of the unit matrix."""
         self.value[column] -= 1.0
-        return self.reach
+        return self.magnitude_bound
 
 
 def inverted(rows: Array) -> Array:

@@ -61,7 +61,7 @@ class Panels:
         """The number of panels."""
         return len(self.start)
 
-    def some(self, which: NDArray[np.bool_] | NDArray[np.intp]) -> Panels:
+    def select(self, which: NDArray[np.bool_] | NDArray[np.intp]) -> Panels:
         """Some of them."""
         return Panels(self.start[which], self.stop[which], self.margin, self.order, self.precise)
 

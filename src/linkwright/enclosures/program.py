@@ -54,7 +54,7 @@ def _constant(function: Function, *args: AffineForm) -> AffineForm:
     """A function of parameters alone."""
     if any(np.any(x.lean) for x in args):
         raise NotImplementedError("no enclosure of such a function over boxes")
-    found = function(*(Intervals(*x.ends) for x in args))
+    found = function(*(Intervals(*x.bounds) for x in args))
     middle = (found.low + found.high) / 2
     return AffineForm(middle, rest=(found.high - found.low) / 2 + UNIT * abs(middle))
 

@@ -85,7 +85,7 @@ class Proof:
     refuted: Refuted | None = None
 
     @property
-    def done(self) -> bool:
+    def is_proven(self) -> bool:
         """Whether the claim is proven."""
         return not self.open and self.refuted is None and not self.reason
 
@@ -138,7 +138,7 @@ def _proofs(run: Run, claims: Sequence[Claim], edges: Sequence[float], budget: i
     first = _first(run)
     budget = BUDGET * first if budget is None else budget
     search = _PanelSearch(run, Enclosure(run, [claim.node for claim in claims]), claims, edges, zeros, first)
-    search.go(budget)
+    search.search(budget)
     found = search.proofs()
     # Repeat those that only round-off left open with long doubles, on the open spans alone.
     left = [i for i, proof in enumerate(found) if proof.reason == "round-off"]
@@ -147,7 +147,7 @@ def _proofs(run: Run, claims: Sequence[Claim], edges: Sequence[float], budget: i
         return found
     again = [replace(claims[i], spans=found[i].open) for i in left]
     search = _PanelSearch(run, Enclosure(run, [claim.node for claim in again], True), again, edges, zeros, 1)
-    search.go(budget - spent)
+    search.search(budget - spent)
     for i, proof in zip(left, search.proofs(), strict=True):
         low, high = min(found[i].low, proof.low), max(found[i].high, proof.high)
         found[i] = replace(proof, low=low, high=high, panels=found[i].panels + proof.panels)
@@ -186,17 +186,17 @@ class _PanelSearch:
         self.last = np.full((2, *self.asked.shape), np.inf)  # the bounds on the panels cut last, and before
         self.stalled: set[int] = set()
         self.tolerances = np.array([c.tolerance for c in claims])
-        self._keep(np.any(self.asked, axis=0))
+        self._keep_panels(np.any(self.asked, axis=0))
         self.low, self.high = np.full(len(claims), np.inf), np.full(len(claims), -np.inf)
         self.refuted: dict[int, Refuted] = {}
         self.count = np.zeros(len(claims), dtype=int)
         self.undefined = np.zeros(len(claims), dtype=bool)
         self.limits = np.array([(c.low - c.tolerance, c.high + c.tolerance) for c in claims])
 
-    def _keep(self, which: Flags) -> None:
-        self.panels, self.asked, self.last = self.panels.some(which), self.asked[:, which], self.last[:, :, which]
+    def _keep_panels(self, which: Flags) -> None:
+        self.panels, self.asked, self.last = self.panels.select(which), self.asked[:, which], self.last[:, :, which]
 
-    def go(self, budget: int) -> None:
+    def search(self, budget: int) -> None:
         """Evaluate and cut panels until all are decided."""
         spent = 0
         while self.panels.count and (cost := spent + self.panels.count + OVERHEAD) <= budget:
@@ -205,7 +205,7 @@ class _PanelSearch:
             # Evaluate all panels at once and drop those on which every claim is decided.
             self.decide()
             undecided = np.any(self.asked, axis=0)
-            self._keep(undecided)
+            self._keep_panels(undecided)
             width = (self.panels.stop - self.panels.start) / (self.run.stop - self.run.start)
             # Give up on panels that became too narrow, sooner where the enclosure is undefined.
             narrow = self.asked & ((width < NARROWEST) | ((width < VAGUEST) & np.isnan(self.last[0])))
@@ -213,7 +213,7 @@ class _PanelSearch:
                 self.closed.append((int(claim), self._span(int(panel))))
                 self.undefined[claim] |= np.isnan(self.last[0, claim, panel])
             self.asked &= ~narrow
-            self._keep(np.any(self.asked, axis=0))
+            self._keep_panels(np.any(self.asked, axis=0))
             # Halve all others.
             self.panels, self.asked = self.panels.halves(), np.concatenate([self.asked, self.asked], axis=1)
             self.last = np.concatenate([self.last, self.last], axis=2)
@@ -233,7 +233,7 @@ class _PanelSearch:
             here = claim == i
             c[: len(model.c), here], r[here] = model.c[:, panel[here]], model.r[panel[here]]
         # First a cheap range of each model.
-        low, high = TaylorModel(c, r, self.panels.some(panel)).range()
+        low, high = TaylorModel(c, r, self.panels.select(panel)).range()
         known = np.isfinite(low) & np.isfinite(high)
         limits = self.limits[claim]
         if self.zeros:
@@ -298,7 +298,7 @@ class _PanelSearch:
                 reason = self._why(i)
             elif low > high:  # no panel lies in the spans
                 reason, spans = "budget", [*self.claims[i].spans]
-            found.append(Proof(low, high, _joined(spans), reason, int(self.count[i]), self.refuted.get(i)))
+            found.append(Proof(low, high, _merged_spans(spans), reason, int(self.count[i]), self.refuted.get(i)))
         return found
 
     def _why(self, claim: int) -> str:
@@ -319,7 +319,7 @@ def _covered(start: Array, stop: Array, spans: Sequence[Span], close: float) -> 
     return inside
 
 
-def _joined(spans: list[Span]) -> tuple[Span, ...]:
+def _merged_spans(spans: list[Span]) -> tuple[Span, ...]:
     """Neighbouring panels put together."""
     found: list[Span] = []
     for a, b in sorted(spans):

@@ -76,7 +76,7 @@ class TaylorModel:
         return self._tilt
 
     @property
-    def bound(self) -> Array:
+    def magnitude_bound(self) -> Array:
         """A bound of the magnitude."""
         return np.asarray((self.size + self.r) * UP)
 
@@ -178,7 +178,7 @@ class TaylorModel:
             power = whole
         if isinstance(power, float):
             if power == int(power) and abs(power) <= 64:
-                return self._whole(int(power))
+                return self._integer_power(int(power))
             if power == 0.5:
                 return self.elementary("sqrt", self)
             if power == -0.5:
@@ -188,9 +188,9 @@ class TaylorModel:
     def __rpow__(self, base: Any) -> TaylorModel:
         return lift(base) ** self
 
-    def _whole(self, power: int) -> TaylorModel:
+    def _integer_power(self, power: int) -> TaylorModel:
         if power < 0:
-            return self.inverse()._whole(-power)
+            return self.inverse()._integer_power(-power)
         # Square and multiply.
         found, square = ONE, self
         while power:

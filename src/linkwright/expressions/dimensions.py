@@ -18,7 +18,7 @@ from copy import copy
 from linkwright.expressions.forms import DimensionError, DimensionForm, Equations
 from linkwright.expressions.language import FUNCTIONS, Binary, Call, Name, Negative, Node, Number, is_signal, nodes
 from linkwright.expressions.system import Unknown
-from linkwright.expressions.units import BASES, PURE, Dimension, UnitError, spelled, unit
+from linkwright.expressions.units import BASES, PURE, Dimension, UnitError, unit, unit_text
 
 __all__ = ["DimensionError", "Dimensions", "Wanted", "argument", "declared_scale", "value"]
 
@@ -66,7 +66,7 @@ class Dimensions:
         known = self.equations.settled(wanted)
         return DimensionForm.of(wanted) if known is None else DimensionForm(known)
 
-    def settle(self, unknown: Unknown, dimension: Dimension) -> None:
+    def set_dimension(self, unknown: Unknown, dimension: Dimension) -> None:
         """Note that an unknown has this dimension. Raises DimensionError."""
         self.equations.equate(DimensionForm.of(unknown), DimensionForm(dimension), Name(str(unknown)))
 
@@ -84,7 +84,7 @@ class Dimensions:
 
     def of(self, unknown: Unknown) -> Dimension:
         """The inferred dimension of a parameter, or of another unknown."""
-        return self.equations.of(unknown)
+        return self.equations.dimension_of(unknown)
 
     def leaves_open(self, node: Node) -> bool:
         """Whether a parameter or a table's column in an expression has no unit yet, by itself or by its uses."""
@@ -112,7 +112,7 @@ class Dimensions:
             unknown = floats.get(id(part))
             if unknown is None or part == Number(0.0):
                 return None
-            scale = declared_scale(equations.of(unknown), self.declared)
+            scale = declared_scale(equations.dimension_of(unknown), self.declared)
             return Number(part.value * scale) if isinstance(part, Number) else Binary("*", part, Number(scale))
 
         return _mapped(node, in_si)
@@ -121,7 +121,7 @@ class Dimensions:
         """The dimension that an expression has by itself. Raises DimensionError."""
         equations = Equations()
         equations.read(node, DimensionForm.of(_PLACE), self._settled, self._settled_table)
-        return equations.of(_PLACE)
+        return equations.dimension_of(_PLACE)
 
 
 def argument(table: str) -> Unknown:
@@ -139,7 +139,7 @@ def declared_scale(dimension: Dimension, declared: Mapping[str, str]) -> float:
     if dimension == PURE:
         return 1.0
     try:
-        return unit(spelled(dimension, dict(declared)))[0]
+        return unit(unit_text(dimension, dict(declared)))[0]
     except UnitError as error:
         base = str(error)
         if base in BASES:

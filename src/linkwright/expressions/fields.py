@@ -80,10 +80,10 @@ class Expression(Written):
     def read(self, raw: Any) -> None:
         if not isinstance(raw, str):
             raw = plain_number(raw, "expression")
-            self.put("raw", raw)
+            self.set_attribute("raw", raw)
         elif raw.strip().lstrip("+-").lower() in _NOT_NUMBERS:
             raise fault("file.not-finite", given=raw.strip())
-        self.put("node", parse_text(str(raw)))
+        self.set_attribute("node", parse_text(str(raw)))
 
     def quantities(self) -> TypedParts:
         return ((self, None),)
@@ -138,23 +138,23 @@ class Position(Written):
     sketched: bool
 
     def read(self, raw: Any) -> None:
-        self.put("sketched", raw == "sketch")
+        self.set_attribute("sketched", raw == "sketch")
         if self.sketched:
-            self.put("polar", False)
+            self.set_attribute("polar", False)
             parts: list[Any] = [0, 0]
         elif isinstance(raw, str) and len(parts := raw.split(" at ")) == 2:
-            self.put("polar", True)
+            self.set_attribute("polar", True)
         elif isinstance(raw, list | tuple) and len(raw) == 2:
             parts = list(raw)
-            self.put("polar", False)
+            self.set_attribute("polar", False)
         elif isinstance(raw, Mapping) and raw.keys() == {"x", "y"}:
             raise unexpected("position", raw, Term("write-bare", text=f"[{raw['x']}, {raw['y']}]"))
         else:
             raise self.unexpected("position", raw)
-        self.put("first", Expression(parts[0]))
-        self.put("second", Expression(parts[1]))
+        self.set_attribute("first", Expression(parts[0]))
+        self.set_attribute("second", Expression(parts[1]))
         if not self.polar and not self.sketched:
-            self.put("raw", (self.first.raw, self.second.raw))
+            self.set_attribute("raw", (self.first.raw, self.second.raw))
 
     def quantities(self) -> TypedParts:
         return (self.first, _LENGTH), (self.second, _ANGLE if self.polar else _LENGTH)
@@ -173,15 +173,15 @@ class Place(Position):
     third: Expression | None
 
     def read(self, raw: Any) -> None:
-        self.put("third", None)
+        self.set_attribute("third", None)
         if not isinstance(raw, list | tuple) or len(raw) != 3:
             super().read(raw)
             return
-        self.put("polar", False)
-        self.put("sketched", False)
+        self.set_attribute("polar", False)
+        self.set_attribute("sketched", False)
         for name, part in zip(("first", "second", "third"), raw, strict=True):
-            self.put(name, Expression(part))
-        self.put("raw", tuple(part.raw for part in self.parts))
+            self.set_attribute(name, Expression(part))
+        self.set_attribute("raw", tuple(part.raw for part in self.parts))
 
     @property
     def parts(self) -> tuple[Expression, ...]:
@@ -202,8 +202,8 @@ class LineOn(Written):
         parts = raw.split(" at ") if isinstance(raw, str) else []
         if len(parts) != 2:
             raise self.unexpected("line", raw)
-        self.put("point", check_name(parts[0].strip()))
-        self.put("angle", Expression(parts[1]))
+        self.set_attribute("point", check_name(parts[0].strip()))
+        self.set_attribute("angle", Expression(parts[1]))
 
     def quantities(self) -> TypedParts:
         return ((self.angle, _ANGLE),)
@@ -237,9 +237,9 @@ class Shape(Written):
         if match is None:
             raise self.unexpected("shape", raw)
         start, end, radius, centre, single = match.groups()
-        self.put("form", raw.split()[0])
-        self.put("points", tuple(p for p in (start, end, centre, single) if p))
-        self.put("radius", Expression(radius) if radius else None)
+        self.set_attribute("form", raw.split()[0])
+        self.set_attribute("points", tuple(p for p in (start, end, centre, single) if p))
+        self.set_attribute("radius", Expression(radius) if radius else None)
 
     def quantities(self) -> TypedParts:
         return ((self.radius, Quantity(LENGTH, Sign.POSITIVE, "radius")),) if self.radius else ()
@@ -278,8 +278,8 @@ class AssemblyRule(Written):
     def read(self, raw: Any) -> None:
         if isinstance(raw, list | tuple):
             sketch = Position(raw)
-            self.put("raw", sketch.raw)
-            self._put("sketch", (), None, sketch)
+            self.set_attribute("raw", sketch.raw)
+            self._set_fields("sketch", (), None, sketch)
             return
         match = self._PATTERN.fullmatch(raw) if isinstance(raw, str) else None
         if match is None:
@@ -287,7 +287,7 @@ class AssemblyRule(Written):
         words = [group for group in match.groups() if group]
         sliding = words[0] in ("ahead", "behind")
         along = words[2] if sliding else None
-        self._put(words[0], tuple(words[1:2] if sliding else words[1:]), along, None)
+        self._set_fields(words[0], tuple(words[1:2] if sliding else words[1:]), along, None)
 
     @property
     def text(self) -> str:
@@ -302,11 +302,11 @@ class AssemblyRule(Written):
         if self.along is not None:
             yield self.along, Ref("slide")
 
-    def _put(self, word: str, reference: tuple[str, ...], along: str | None, sketch: Position | None) -> None:
-        self.put("word", word)
-        self.put("reference", reference)
-        self.put("along", along)
-        self.put("sketch", sketch)
+    def _set_fields(self, word: str, reference: tuple[str, ...], along: str | None, sketch: Position | None) -> None:
+        self.set_attribute("word", word)
+        self.set_attribute("reference", reference)
+        self.set_attribute("along", along)
+        self.set_attribute("sketch", sketch)
 
 
 class Requirement(Written):
@@ -337,8 +337,8 @@ class Requirement(Written):
             raise unexpected("requirement", raw, Term("write-bound", text=text))
         else:
             raise self.unexpected("requirement", raw)
-        self.put("low", low)
-        self.put("high", high)
+        self.set_attribute("low", low)
+        self.set_attribute("high", high)
 
     def quantities(self) -> TypedParts:
         return [(bound, None) for bound in self.bounds]

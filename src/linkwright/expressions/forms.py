@@ -100,7 +100,7 @@ class Equations:
         (physical, known), (angular, also) = self.physical.value(unknown), self.angular.value(unknown)
         return Dimension._make([*physical, angular[0]]) if known and also else None
 
-    def of(self, unknown: Unknown) -> Dimension:
+    def dimension_of(self, unknown: Unknown) -> Dimension:
         """What the equations say of an unknown; what nothing settles is a pure number."""
         (physical, _), (angular, _) = self.physical.value(unknown), self.angular.value(unknown)
         return Dimension._make([*physical, angular[0]])
@@ -109,7 +109,7 @@ class Equations:
         """The dimension of a form with what is known of its unknowns."""
         dimension = form.known
         for unknown, power in form.unknowns:
-            dimension = dimension.times(self.of(unknown), power)
+            dimension = dimension.times(self.dimension_of(unknown), power)
         return dimension
 
 

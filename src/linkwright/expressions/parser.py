@@ -55,7 +55,7 @@ def parse(text: str) -> Node:
         raise ExpressionError("long", limit=MAX_TEXT)
     if not text.strip():
         raise ExpressionError("empty")
-    node = _Parser(text).whole()
+    node = _Parser(text).parse()
     # Everything downstream walks the tree by recursion.
     if height(node) > MAX_HEIGHT:
         raise ExpressionError("deep")
@@ -89,7 +89,7 @@ class _Parser:
     def token(self) -> tuple[str, str]:
         return self.tokens[self.at]
 
-    def take(self, *ops: str) -> str | None:
+    def accept(self, *ops: str) -> str | None:
         kind, value = self.token
         if kind == "op" and value in ops:
             self.at += 1
@@ -97,11 +97,11 @@ class _Parser:
         return None
 
     def close(self) -> None:
-        if self.take(")") is None:
+        if self.accept(")") is None:
             value = self.token[1]
             raise ExpressionError("close", before=value) if value else ExpressionError("close-end")
 
-    def whole(self) -> Node:
+    def parse(self) -> Node:
         self.scan()
         node = self.expression()
         if self.token[0] != "end":
@@ -116,27 +116,27 @@ class _Parser:
     def expression(self) -> Node:
         self.deeper()
         node = self.term()
-        while op := self.take("+", "-"):
+        while op := self.accept("+", "-"):
             node = Binary(op, node, self.term())
         self.depth -= 1
         return node
 
     def term(self) -> Node:
         node = self.factor()
-        while op := self.take("*", "/"):
+        while op := self.accept("*", "/"):
             node = Binary(op, node, self.factor())
         return node
 
     def factor(self) -> Node:
         sign = 1
-        while op := self.take("+", "-"):
+        while op := self.accept("+", "-"):
             sign = -sign if op == "-" else sign
         node = self.power()
         return node if sign > 0 else Negative(node)
 
     def power(self) -> Node:
         node = self.primary()
-        if self.take("^"):
+        if self.accept("^"):
             self.deeper()
             node = Binary("^", node, self.factor())
             self.depth -= 1
@@ -150,20 +150,20 @@ class _Parser:
         if kind == "word":
             self.at += 1
             return self.named(value)
-        if self.take("("):
+        if self.accept("("):
             node = self.expression()
             self.close()
             return node
         raise ExpressionError("value", before=value) if value else ExpressionError("value-end")
 
     def named(self, word: str) -> Node:
-        if self.take("("):
+        if self.accept("("):
             args = [self.expression()]
-            while self.take(","):
+            while self.accept(","):
                 args.append(self.expression())
             self.close()
-            return Call(word, tuple(args), self.word() if self.take(".") else None)
-        while self.take("."):
+            return Call(word, tuple(args), self.word() if self.accept(".") else None)
+        while self.accept("."):
             word = f"{word}.{self.word()}"
         return Name(word)
 

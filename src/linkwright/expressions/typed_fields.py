@@ -71,7 +71,7 @@ class Context(NamedTuple):
         """The name of the section's entry, such as that of a drive."""
         return str(self.path[1])
 
-    def at(self, *keys: str | int) -> Context:
+    def child(self, *keys: str | int) -> Context:
         """A place below."""
         return Context(self.mechanism, (*self.path, *keys), self.entries)
 

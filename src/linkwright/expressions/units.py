@@ -153,7 +153,7 @@ _BUILT_IN: dict[str, tuple[float, Dimension]] = {
 }  # fmt: skip
 
 
-def spelled(dimension: Dimension, declared: dict[str, str], strict: bool = True) -> str:
+def unit_text(dimension: Dimension, declared: dict[str, str], strict: bool = True) -> str:
     """The unit of a dimension in the declared words; undeclared bases are an error, or SI if not ``strict``.
 
     Torque and pressure follow from force and length when they aren't declared themselves. Raises :class:`UnitError`

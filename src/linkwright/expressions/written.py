@@ -207,7 +207,7 @@ class Written:
     def __init__(self, raw: Any) -> None:
         if isinstance(raw, str):
             short_text(raw)
-        self.put("raw", raw)
+        self.set_attribute("raw", raw)
         self.read(raw)
 
     def read(self, raw: Any) -> None:
@@ -232,7 +232,7 @@ class Written:
                 return unexpected(wanted, raw, Term("write-bare" if text.startswith("[") else "write", text=text))
         return unexpected(wanted, raw)
 
-    def put(self, name: str, value: Any) -> None:
+    def set_attribute(self, name: str, value: Any) -> None:
         """Set an attribute, while the value is being made."""
         object.__setattr__(self, name, value)
 

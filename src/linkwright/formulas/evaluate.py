@@ -49,24 +49,24 @@ class _FormulaParser:
             self.tokens.append(match[match.lastindex or 0])
             at = match.end()
 
-    def take(self, *wanted: str) -> str:
+    def accept(self, *wanted: str) -> str:
         return self.tokens.pop(0) if self.tokens and self.tokens[0] in wanted else ""
 
     def expression(self) -> Array:
-        total = -self.term() if self.take("-") else self.term()
-        while sign := self.take("+", "-"):
+        total = -self.term() if self.accept("-") else self.term()
+        while sign := self.accept("+", "-"):
             total = total + self.term() if sign == "+" else total - self.term()
         return total
 
     def term(self) -> Array:
         product = self.power()
-        while sign := self.take("*", "/"):
+        while sign := self.accept("*", "/"):
             product = product * self.power() if sign == "*" else product / self.power()
         return product
 
     def power(self) -> Array:
         base = self.primary()
-        return base ** self.primary() if self.take("^") else base
+        return base ** self.primary() if self.accept("^") else base
 
     def primary(self) -> Array:
         token = self.tokens.pop(0) if self.tokens else "end"
@@ -75,14 +75,14 @@ class _FormulaParser:
         if token == "t":
             return self.t
         if token == "(":
-            return self.closed()
-        if not self.take("("):
+            return self.bracketed()
+        if not self.accept("("):
             raise DialectError(token)
-        return self.function(token, self.closed())
+        return self.function(token, self.bracketed())
 
-    def closed(self) -> Array:
+    def bracketed(self) -> Array:
         inner = self.expression()
-        if not self.take(")"):
+        if not self.accept(")"):
             raise DialectError("a bracket stays open")
         return inner
 

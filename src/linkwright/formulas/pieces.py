@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from linkwright.expressions.language import Binary, Call, Node, Number, evaluate
 from linkwright.formulas.functions import PiecewiseFunction
 from linkwright.formulas.switches import FORMULAS, SWITCHES
-from linkwright.formulas.terms import MADE, T, affine, called, plain
+from linkwright.formulas.terms import MADE, T, affine, function_call, plain
 from linkwright.notation import Jet
 
 Array = NDArray[np.float64]
@@ -131,7 +131,7 @@ class Unfolding:
             return node
         args = [self._opened(arg, at) for arg in node.args]
         if node.name not in self.functions:
-            return called(node.name, *args)
+            return function_call(node.name, *args)
         return self.functions[node.name].formula(float(self._values(node.args[0], np.array([at]))[0]), args[0])
 
     def _chosen(self, node: Node, at: float) -> Node:
@@ -142,7 +142,7 @@ class Unfolding:
             return node
         args = [self._chosen(arg, at) for arg in node.args]
         if node.name not in FORMULAS:
-            return called(node.name, *args)
+            return function_call(node.name, *args)
         return FORMULAS[node.name](args, [float(self._values(arg, np.array([at]))[0]) for arg in node.args])
 
 

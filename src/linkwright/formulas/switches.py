@@ -7,7 +7,7 @@ from math import copysign, e, pi
 
 from linkwright.expressions.language import Node, Number
 from linkwright.formulas.functions import polynomial
-from linkwright.formulas.terms import MADE, called, over, plus, power, times
+from linkwright.formulas.terms import MADE, function_call, over, plus, power, times
 
 MINUS = MADE["-"]
 
@@ -39,11 +39,11 @@ def _atan2(args: Sequence[Node], now: Sequence[float]) -> Node:
 
 def _atan(args: Sequence[Node], now: Sequence[float]) -> Node:
     (z,) = args
-    return called("asin", over(z, _hypot([Number(1.0), z], ())))
+    return function_call("asin", over(z, _hypot([Number(1.0), z], ())))
 
 
 def _hypot(args: Sequence[Node], now: Sequence[float]) -> Node:
-    return called("sqrt", plus(*(power(arg, Number(2.0)) for arg in args)))
+    return function_call("sqrt", plus(*(power(arg, Number(2.0)) for arg in args)))
 
 
 FORMULAS: dict[str, Callable[[Sequence[Node], Sequence[float]], Node]] = {

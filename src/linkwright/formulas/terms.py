@@ -16,7 +16,7 @@ T = Name("t")
 ONE = Number(1.0)
 
 
-def called(name: str, *args: Node) -> Node:
+def function_call(name: str, *args: Node) -> Node:
     """A function of trees; of numbers, its value."""
     numbers = [arg.value for arg in args if isinstance(arg, Number)]
     if len(numbers) == len(args) and isfinite(value := FUNCTIONS[name].apply(*numbers)):
@@ -82,15 +82,15 @@ def power(a: Node, b: Node) -> Node:
         return Number(a.value**b.value) if a.value > 0 or b.value == int(b.value) >= 0 else Binary("^", a, b)
     if b in (Number(0.0), Number(1.0)):
         return a if b == Number(1.0) else Number(1.0)
-    if isinstance(a, Binary) and _whole(b):
+    if isinstance(a, Binary) and _is_whole_number(b):
         if a.op == "*" and isinstance(a.left, Number):
             return times(power(a.left, b), power(a.right, b))
-        if a.op == "^" and _whole(a.right):
+        if a.op == "^" and _is_whole_number(a.right):
             return power(a.left, times(a.right, b))
     return Binary("^", a, b)
 
 
-def _whole(node: Node) -> bool:
+def _is_whole_number(node: Node) -> bool:
     return isinstance(node, Number) and node.value == int(node.value)
 
 
@@ -114,7 +114,7 @@ def plain(node: Node, names: Mapping[str, Node], kept: Container[str] = ()) -> N
     if isinstance(node, Binary):
         return MADE[node.op](plain(node.left, names, kept), plain(node.right, names, kept))
     args = [plain(arg, names, kept) for arg in node.args]
-    return Call(node.name, tuple(args)) if node.name in kept else called(node.name, *args)
+    return Call(node.name, tuple(args)) if node.name in kept else function_call(node.name, *args)
 
 
 def scaled(node: Node, by: float) -> Node:

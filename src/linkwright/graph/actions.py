@@ -82,14 +82,14 @@ class Actions:
         for law in self.laws:
             note(law)
         for one in self.every:
-            for asked in one.kind.asked(one.name, one.entry):
+            for asked in one.kind.needed_tables(one.name, one.entry):
                 found[Lookup(*asked, level=note(asked.argument))] = None
         return tuple(found)
 
-    def asked(self, one: Acting) -> set[str]:
+    def needed_tables(self, one: Acting) -> set[str]:
         """The tables that an element asks."""
         named = (part for law, _ in one.kind.laws(one.entry) for part in nodes(law.node))
-        own = {asked.table for asked in one.kind.asked(one.name, one.entry)}
+        own = {asked.table for asked in one.kind.needed_tables(one.name, one.entry)}
         return own | {part.name for part in named if isinstance(part, Call)}
 
     @cached_property

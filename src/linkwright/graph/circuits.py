@@ -78,7 +78,7 @@ class Tracer:
         """The whole curve through a pose; ``None`` where two curves cross there, so that it has no direction, or where
         it takes too long."""
         try:
-            z = self.settle(start)
+            z = self.nearest_pose(start)
             tangent = self.first_tangent(z)
         except _Lost:
             return None
@@ -92,9 +92,9 @@ class Tracer:
         if forward.closed:
             return _with_ranges(forward)
         back = self.one_way(z, -tangent)
-        return None if back.cut else _joined(back, forward)
+        return None if back.cut else _joined_halves(back, forward)
 
-    def settle(self, z: Array) -> Array:
+    def nearest_pose(self, z: Array) -> Array:
         """The nearest pose that the joints allow."""
         for _ in range(20):
             rest = self.system.residual(z)
@@ -173,7 +173,7 @@ class Tracer:
                 branch += 1
             back = self.closes(start, first, z, there)
             for pose in self.passes(curve.values[0], z, there if back is None else back):
-                if np.abs(self.system.apart(pose, start)).max() > FOUND:
+                if np.abs(self.system.pose_difference(pose, start)).max() > FOUND:
                     curve.meets.append((pose, branch))
             curve.poses.append(there if back is None else back)
             curve.values.append(self.system.value(self.drive, curve.poses[-1]))
@@ -221,14 +221,14 @@ class Tracer:
 
     def closes(self, start: Array, first: Array, z: Array, there: Array) -> Array | None:
         """The start again, whole turns added, where a step comes back to it in the first direction."""
-        before, after = (self.system.apart(p, start) for p in (z, there))
+        before, after = (self.system.pose_difference(p, start) for p in (z, there))
         if np.abs(after).max() > 3 * LONGEST or not first @ before < 0 <= first @ after:
             return None
         try:
-            back = self.corrected(there, first, lambda at: float(first @ self.system.apart(at, start)))
+            back = self.corrected(there, first, lambda at: float(first @ self.system.pose_difference(at, start)))
         except _Lost:
             return None
-        return back if np.abs(self.system.apart(back, start)).max() < FOUND else None
+        return back if np.abs(self.system.pose_difference(back, start)).max() < FOUND else None
 
     def passes(self, first: float, z: Array, there: Array) -> list[Array]:
         """The poses within a step at which the drive has its first value, modulo a turn."""
@@ -244,11 +244,11 @@ class Tracer:
         unit = 1.0 if self.turns else self.system.size
         guess = z + (there - z) * ((goal - a) / (b - a))
 
-        def rest(at: Array) -> float:
+        def residual(at: Array) -> float:
             return (self.system.value(self.drive, at) - first - goal) / unit
 
         try:
-            return [self.corrected(guess, self.system.gradient(self.drive, guess), rest)]
+            return [self.corrected(guess, self.system.gradient(self.drive, guess), residual)]
         except _Lost:
             return []
 
@@ -272,7 +272,7 @@ def _with_ranges(curve: CircuitCurve) -> CircuitCurve:
     return curve
 
 
-def _joined(back: CircuitCurve, forward: CircuitCurve) -> CircuitCurve:
+def _joined_halves(back: CircuitCurve, forward: CircuitCurve) -> CircuitCurve:
     """The two halves of an open curve as one; branch 0 stays the one of the start."""
     curve = CircuitCurve(False, back.poses[::-1] + forward.poses[1:], back.values[::-1] + forward.values[1:])
     curve.dead, curve.crossings = back.dead[::-1] + forward.dead, back.crossings[::-1] + forward.crossings

@@ -74,7 +74,9 @@ class Constraints:
         """Whose each residual is."""
         return (*self.names, *self.held, *self.riding)
 
-    def hold(self, drives: Mapping[str, float], riding: Mapping[str, FollowerRelation] | None = None) -> None:
+    def set_drive_values(
+        self, drives: Mapping[str, float], riding: Mapping[str, FollowerRelation] | None = None
+    ) -> None:
         """Add the equations of drives at these values (rad or m), and of followers that move with their motors."""
         self.held, self.riding = drives, riding or {}
 
@@ -217,9 +219,11 @@ class Constraints:
     def _sliding(self, drive: str, at: Array) -> tuple[tuple[Array, Array], Array]:
         """The two points of a sliding drive's line (of its link, of ``on``), and the direction."""
         entry = self.topology.mechanism.prescribed(drive)
-        joint = self.topology.driven(drive)[0].joint
+        joint = self.topology.drivable_joints(drive)[0].joint
         places = [
-            _placed(at[:, self.index[name]], np.array(self.geometry.line(joint, name)[0], dtype=float) / self.size)
+            _point_position(
+                at[:, self.index[name]], np.array(self.geometry.line(joint, name)[0], dtype=float) / self.size
+            )
             for name in (entry.link, entry.on)
         ]
         angle = at[2, self.index[entry.on]] + float(self.geometry.heading_angle(joint, entry.on))
@@ -229,13 +233,13 @@ class Constraints:
         """Rows x, y, angle over links, the frame's zeros last: (3, links + 1)."""
         return np.concatenate([z, np.zeros(3)]).reshape(-1, 3).T
 
-    def apart(self, a: Array, b: Array) -> Array:
+    def pose_difference(self, a: Array, b: Array) -> Array:
         """The difference of two poses, whole turns left out."""
         between = np.array(a - b)
         between[2::3] = wrapped(between[2::3])
         return between
 
-    def of(self, links: Iterable[str]) -> list[int]:
+    def columns_of(self, links: Iterable[str]) -> list[int]:
         """The columns of some links."""
         return [3 * self.index[link] + k for link in links for k in range(3)]
 
@@ -260,6 +264,6 @@ class _Ends:
         return np.asarray(at[:2, self.index[end]] + self.arm(at, end))
 
 
-def _placed(pose: Array, local: Array) -> Array:
+def _point_position(pose: Array, local: Array) -> Array:
     c, s = np.cos(pose[2]), np.sin(pose[2])
     return np.array([pose[0] + c * local[0] - s * local[1], pose[1] + s * local[0] + c * local[1]])

@@ -44,7 +44,7 @@ class Geometry:
         node = self.quantities.bind(expression, dimension)
         return evaluate(node, lambda name: self.parameters[name.text])
 
-    def bound(self, expression: Expression, dimension: u.Dimension) -> Node:
+    def bind(self, expression: Expression, dimension: u.Dimension) -> Node:
         """An expression as a tree in SI."""
         return self.quantities.bind(expression, dimension)
 
@@ -89,7 +89,7 @@ class Geometry:
         """The offset of a joint of that name: 0 but for derivatives."""
         return self.plays.get(f"{joint}/{name}", 0.0)
 
-    def written(self, value: float, dimension: u.Dimension) -> str:
+    def text_of(self, value: float, dimension: u.Dimension) -> str:
         """A value in SI in the file's unit, with it."""
         text, size = self.quantities.unit_of(dimension)
         return f"{value / size:.6g} {text}"
@@ -136,7 +136,7 @@ class Geometry:
             if weight is not None and weight.link == link:
                 inertia = 0.0 if weight.inertia is None else self.number(weight.inertia, u.INERTIA)
                 parts.append((self.number(weight.mass, u.MASS), self.place(link, weight.at), inertia))
-        return together(parts)
+        return combined_mass(parts)
 
     def _own_mass(self, link: str) -> tuple[Scalar, Pair, Scalar]:
         """The same of a link without its counterweights."""
@@ -183,7 +183,7 @@ def widest(links: Iterable[list[Pair]]) -> float:
     return max(spans, default=0.0) or 1.0
 
 
-def together(parts: list[tuple[Scalar, Pair, Scalar]]) -> tuple[Scalar, Pair, Scalar]:
+def combined_mass(parts: list[tuple[Scalar, Pair, Scalar]]) -> tuple[Scalar, Pair, Scalar]:
     """Mass, centre and moment of inertia about it of several masses on one link (parallel axes)."""
     if len(parts) < 2:
         return parts[0] if parts else (0.0, ZERO, 0.0)

@@ -73,7 +73,7 @@ def solve_higher_group(motion: Motion, step: HigherGroup, drives: dict[str, Jet]
     starts = dict(zip(step.free, unknowns(step), strict=True))
     rates: dict[LinkPlacement, list[Scalar]] = {edge: [] for edge in step.free}
 
-    def place(next_rate: list[Scalar]) -> None:
+    def place_links(next_rate: list[Scalar]) -> None:
         """Place all links in order with the rates known so far."""
         for edge in step.edges:
             if edge.drive is not None:
@@ -82,7 +82,7 @@ def solve_higher_group(motion: Motion, step: HigherGroup, drives: dict[str, Jet]
                 motion.bodies[edge.link] = _free(motion, edge, starts[edge], Jet([*rates[edge], *next_rate]))
 
     # Step 1: place the links at the given coordinates, without rates.
-    place([])
+    place_links([])
     # Step 2: how each coordinate moves the links, and from that the matrix of the closure equations. It is factored
     # once and serves all rates, the equilibrium and Newton.
     fields, twists = _fields(motion, step)
@@ -92,12 +92,12 @@ def solve_higher_group(motion: Motion, step: HigherGroup, drives: dict[str, Jet]
     # Step 3: each time derivative of the closure is linear in the highest rates with this same matrix. Set these to
     # zero, see what the equations miss, and solve for them.
     for k in range(1, motion.order + 1):
-        place([0.0])
+        place_links([0.0])
         rest = [gap.d[k] for gap in _gaps(motion, closures)]
         for edge, q in zip(step.free, factor.solve(rest), strict=True):
             rates[edge].append(-q)
     # Step 4: place the links once more with all rates.
-    place([])
+    place_links([])
     motion.higher_groups[step] = SolvedHigherGroup(
         gaps, slopes, factor, [rates[edge] for edge in step.free], fields, twists, closures
     )
@@ -116,7 +116,7 @@ def _gap(motion: Motion, c: Connection, inner: Inner) -> Sequence[Jet]:
 
 
 def _free(motion: Motion, edge: LinkPlacement, start: Scalar, rates: Jet) -> Body:
-    return outer_joint(motion, edge.joint, edge.link).at(start, rates)
+    return outer_joint(motion, edge.joint, edge.link).place_at(start, rates)
 
 
 def _fields(motion: Motion, step: HigherGroup) -> tuple[list[dict[str, Twist]], dict[str, Twist]]:
@@ -212,11 +212,11 @@ def assemble_higher_group(
     ``None`` where none is found.
     """
     best: tuple[float, list[float]] | None = None
-    for start in _starts(motion, step, sketch, drives, _reach(sketch)):
+    for start in _starts(motion, step, sketch, drives, _sketch_size(sketch)):
         found = newton(motion, step, start, drives)
         if found is not None and (away := _away(motion, step, sketch)) < (best[0] if best else math.inf):
             best = away, found
-            if away < 1e-3 * _reach(sketch):
+            if away < 1e-3 * _sketch_size(sketch):
                 break
     if best is not None:
         solve_higher_group(motion, step, drives, lambda _: best[1])
@@ -230,7 +230,7 @@ def drawn_phases(
     phased = [c for c in step.closures if c.kind.phased]
     if not phased:
         return {}
-    size = _reach(sketch) if sketch else extent(motion.structure.topology, motion.geometry)
+    size = _sketch_size(sketch) if sketch else extent(motion.structure.topology, motion.geometry)
     next(_starts(motion, step, sketch, drives, size), None)  # puts the links where they are drawn
     ask = {c: partial(c.kind.phase, motion.geometry, c.joint) for c in phased}
     return {c.joint: answered(c.kind, c.joint, motion.bodies, ask[c]) for c in phased}
@@ -273,7 +273,7 @@ def _starts(
         if edge.drive is not None:
             motion.bodies[edge.link] = driven_body(motion, edge, drives[edge.drive])[1]
             continue
-        told = _told(motion, step, edge, sketch, drives)
+        told = _sketched_coordinate(motion, step, edge, sketch, drives)
         around = [k * math.pi / 4 for k in range(8)]
         if not edge.joint.kind.angular:
             around = [k * reach / 2 for k in (0, 1, -1, 2, -2)]
@@ -284,7 +284,7 @@ def _starts(
         yield list(start)
 
 
-def _told(
+def _sketched_coordinate(
     motion: Motion, step: HigherGroup, edge: LinkPlacement, sketch: dict[str, Pair], drives: dict[str, Jet]
 ) -> float | None:
     """The coordinate that brings the link's points, and those of links that a drive holds on it, nearest to
@@ -318,7 +318,7 @@ def _away(motion: Motion, step: HigherGroup, sketch: dict[str, Pair]) -> float:
     return math.sqrt(sum(float(e.dot(e)) for e in errors))
 
 
-def _reach(sketch: dict[str, Pair]) -> float:
+def _sketch_size(sketch: dict[str, Pair]) -> float:
     """The size of a sketch (m)."""
     xs, ys = [float(p.x) for p in sketch.values()], [float(p.y) for p in sketch.values()]
     return math.hypot(max(xs) - min(xs), max(ys) - min(ys)) or math.hypot(xs[0], ys[0]) or 1.0

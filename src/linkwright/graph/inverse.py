@@ -4,7 +4,7 @@ The links fall apart into groups again, hung on the frame and on the point. Wher
 which the point is at a place is one choice of their branches, in closed form. Of a triad the platform's angle is a root
 of a polynomial (:mod:`linkwright.graph.triads`), at most one of six; all else follows from it in closed form. So the
 inverse kinematics is exhaustive (J.-P. Merlet, Parallel Robots, 2nd ed. 2006, ch. 3). What tells whether a pose is one
-of an assembly mode are signs: of what stands under the roots of those dyads (``room``: the pose exists), and of the
+of an assembly mode are signs: of what stands under the roots of those dyads (``radicand``: the pose exists), and of the
 determinants of the mechanism's own groups in the pose (``closure``: the mode).
 """
 
@@ -147,14 +147,18 @@ class Inverse:
 
     def _rows(self, motion: Motion) -> Iterator[Scalar]:
         for group in self.groups:
-            yield motion.dyads[group][0].room()
+            yield motion.dyads[group][0].radicand()
         own = Motion(self.graph.structure, motion.geometry, 0, motion.bodies)
         for group in self.modes:
             yield known_determinant(own, group)
         topology = self.graph.structure.topology
         for name in self.drives:
             drive = topology.mechanism.prescribed(name)
-            yield from own.turned(drive) if drive.turns else own.moved(drive, topology.driven(name)[0].joint).d[:1]
+            yield from (
+                own.turned(drive)
+                if drive.turns
+                else own.slide_value(drive, topology.drivable_joints(name)[0].joint).d[:1]
+            )
 
     @cached_property
     def program(self) -> Program:
@@ -219,7 +223,7 @@ def _hung(motion: Motion, higher_group: HigherGroup, pose: Any) -> TriadSystem:
 def inverse(graph: Graph, point: str) -> Inverse | None:
     """The mechanism of a graph turned round at one of its points; ``None`` where it falls apart into other groups than
     dyads and one triad, or into none."""
-    structure = decompose(carried(graph.structure.topology.mechanism, point))
+    structure = decompose(guided_mechanism(graph.structure.topology.mechanism, point))
     if structure.findings or graph.structure.higher_groups or len(structure.higher_groups) > TRIADS:
         return None
     motion = Motion(structure, Geometry(graph.quantities, {}), 0)
@@ -230,7 +234,7 @@ def inverse(graph: Graph, point: str) -> Inverse | None:
     return Inverse(graph, structure, groups, structure.higher_groups)
 
 
-def carried(mechanism: Mechanism, point: str) -> Mechanism:
+def guided_mechanism(mechanism: Mechanism, point: str) -> Mechanism:
     """A mechanism whose drives are free, and one of whose points two slides carry: along x, and on that along y."""
     taken = {*mechanism.links, *mechanism.joints, *(name for link in mechanism.links.values() for name in link.points)}
     foot, seat, *names = (_unused(name, taken) for name in ("foot", "seat", "along_x", "along_y", "at_x", "at_y"))

@@ -130,7 +130,7 @@ class Equation:
         return self.tip.minus(self.foot)
 
     @property
-    def reach(self) -> Scalar:
+    def leg_length(self) -> Scalar:
         """The leg's length between its joints (m)."""
         return length(self.arm)
 

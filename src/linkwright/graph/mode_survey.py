@@ -92,7 +92,9 @@ def survey(
         return result
     system = Constraints(structure.topology, explorer.geometry, explorer.size)
     riding = {name: ride for name, ride in rides.items() if ride.motor == drive}
-    system.hold({name: value for name, value in values.items() if name != drive and name not in riding}, riding)
+    system.set_drive_values(
+        {name: value for name, value in values.items() if name != drive and name not in riding}, riding
+    )
     tracer = Tracer(system, drive)
     i = 0
     steps = 0
@@ -120,7 +122,7 @@ def _untold(found: FoundModes) -> None:
 def _note(result: Survey, explorer: Explorer, system: Constraints, pose: Array, branch: int) -> None:
     """Say of the mode with this pose that it lies on the circuit being followed."""
     for j, mode in enumerate(result.modes):
-        if np.abs(system.apart(pose, system.pose(dict(mode.bodies)))).max() < SAME:
+        if np.abs(system.pose_difference(pose, system.pose(dict(mode.bodies)))).max() < SAME:
             result.places[j] = result.places[j] or (len(result.circuits), branch)
             return
     mode_there = None if system.opposed(pose) else explorer.near(_bodies(system, pose))

@@ -90,7 +90,7 @@ class Explorer:
         self.size = extent(structure.topology, self.geometry)
         self.found = FoundModes()
         self.goal: Mapping[str, Body] | None = None
-        self.needed = self.needs()
+        self.needed = self.step_dependencies()
 
     def run(self) -> FoundModes:
         """Follow every choice."""
@@ -105,7 +105,7 @@ class Explorer:
             walks += 1
         return self.found
 
-    def needs(self) -> dict[Step, frozenset[int]]:
+    def step_dependencies(self) -> dict[Step, frozenset[int]]:
         """The choices, by their numbers, on which the places of each step's known links depend."""
         # Go through the steps in order; a link depends on all choices behind the links that carry it, and on its own
         # step's.
@@ -244,7 +244,7 @@ class Explorer:
             return None
         # Newton first; where it creeps, as at a double root, least-squares steps.
         there = newton(self.motion, higher_group, start, self.drives)
-        there = self.settle(higher_group, start) if there is None else there
+        there = self.singular_solution(higher_group, start) if there is None else there
         if there is None:
             return None
         solve_higher_group(self.motion, higher_group, self.drives, lambda _: there)
@@ -258,12 +258,12 @@ class Explorer:
                 return False
         return True
 
-    def settle(self, higher_group: HigherGroup, start: list[float]) -> list[float] | None:
+    def singular_solution(self, higher_group: HigherGroup, start: list[float]) -> list[float] | None:
         """Least-squares steps to a singular solution, where Newton's method creeps."""
         here = np.array(start)
         for _ in range(60):
             at: list[float] = [float(q) for q in here]
-            solve_higher_group(self.motion, higher_group, self.drives, partial(_given, at))
+            solve_higher_group(self.motion, higher_group, self.drives, partial(_fixed_coordinates, at))
             solved = self.motion.higher_groups[higher_group]
             gaps = np.array([float(gap) for gap in solved.gaps])
             if np.abs(gaps).max() < CLOSED * min(self.size, 1.0):
@@ -340,7 +340,7 @@ class Explorer:
         return f"[{x}, {y}]"
 
 
-def _given(at: list[float], _: HigherGroup) -> list[float]:
+def _fixed_coordinates(at: list[float], _: HigherGroup) -> list[float]:
     return at
 
 

@@ -11,7 +11,7 @@ from linkwright.elements.lower_pair import LowerPair
 from linkwright.elements.mover import Mover
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.higher_groups import SolvedHigherGroup, solve_higher_group
-from linkwright.graph.placing import carried, driven_body, inner_joint, outer_joint
+from linkwright.graph.placing import driven_body, inner_joint, outer_joint, place_chain
 from linkwright.graph.wedges import SolvedWedge, solve_wedge
 from linkwright.groups import REGISTRY, Dyad, Solved
 from linkwright.groups.dyad import determinant_of
@@ -59,7 +59,7 @@ class Motion:
         start, end = self.bodies[a].point(first), self.bodies[b].point(second)
         return end.minus(start).dot(self.bodies[a].direction(heading))
 
-    def moved(self, drive: Mover, joint: str) -> Jet:
+    def slide_value(self, drive: Mover, joint: str) -> Jet:
         """The value of a drive that slides along a joint as it follows from the motion."""
         travel = self.travel(joint)
         return travel if drive.link == self.geometry.mechanism.joints[joint].links[1] else -travel
@@ -140,7 +140,7 @@ def _group(motion: Motion, step: Group, drives: dict[str, Jet], branch: Branch) 
     meeting = step.meeting
     joint = _lower_pair(motion, step, meeting)
     sides = list(zip(step.ends, step.chains, strict=True))
-    carry_a, carry_b = (partial(carried, motion, end, chain, drives) for end, chain in sides)
+    carry_a, carry_b = (partial(place_chain, motion, end, chain, drives) for end, chain in sides)
     frozen = joint.seen_from(carry_a(Body.fixed(0)), carry_b(Body.fixed(0))) if any(step.chains) else joint
     dyad = REGISTRY[step.signature](first, joint, second, (carry_a, carry_b), frozen)
     solved = dyad.solve(branch(step, dyad), motion.order)

@@ -20,10 +20,10 @@ Answer = TypeVar("Answer")
 def driven_body(motion: Motion, step: Driven | LinkPlacement, law: Jet) -> tuple[Outer, Body]:
     """A link placed by a drive on a link placed before."""
     outer = outer_joint(motion, step.joint, step.link)
-    return outer, outer.driven(motion.bodies[step.base], law if step.sign > 0 else -law)
+    return outer, outer.driven_body(motion.bodies[step.base], law if step.sign > 0 else -law)
 
 
-def carried(motion: Motion, end: str, chain: Chain, drives: Mapping[str, Jet], body: Body) -> Body:
+def place_chain(motion: Motion, end: str, chain: Chain, drives: Mapping[str, Jet], body: Body) -> Body:
     """Put a link where ``body`` says, and on it the links that drives hold there; the last of them."""
     motion.bodies[end] = body
     for edge in chain:

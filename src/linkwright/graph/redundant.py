@@ -127,7 +127,7 @@ def _poses(quantities: Quantities, reduced: Structure, values: Mapping[str, floa
     found: list[Pose] = []
     for drive in values:
         system = Constraints(reduced.topology, geometry, size)
-        system.hold({name: value for name, value in values.items() if name != drive})
+        system.set_drive_values({name: value for name, value in values.items() if name != drive})
         tracer = Tracer(system, drive)
         curve = None if tracer.too_large else tracer.follow(system.pose(assembly.start.bodies))
         if curve is None:
@@ -146,7 +146,7 @@ class _Whole:
         geometry = Geometry(quantities, quantities.parameters)
         self.system = Constraints(structure.topology, geometry, extent(structure.topology, geometry), whole=True)
         pattern = self.system.jacobian(np.random.default_rng(0).uniform(1.0, 2.0, self.system.width)) != 0
-        self.columns = {part.name: self.system.of([part.name]) for part in parts if part.kind == "links"}
+        self.columns = {part.name: self.system.columns_of([part.name]) for part in parts if part.kind == "links"}
         touched = {name: pattern[:, of].any(axis=1) for name, of in self.columns.items()}
         named = np.array(self.system.rows)
         self.rows = {part: touched.get(part.name, named == part.name) for part in parts}
@@ -156,9 +156,9 @@ class _Whole:
         self.poses: list[Array] = []
         for pose in poses:
             z = np.concatenate([pose.get(link, np.zeros(3)) / unit for link in self.system.links])
-            self.poses.append(self.placed(z, self.poses[-1] if self.poses else None))
+            self.poses.append(self.place_spare_links(z, self.poses[-1] if self.poses else None))
 
-    def placed(self, z: Array, last: Array | None) -> Array:
+    def place_spare_links(self, z: Array, last: Array | None) -> Array:
         """The pose with the spare links where their joints hold best."""
         for name, columns in self.columns.items():
             middle = z.reshape(-1, 3)[:, :2].mean(axis=0)

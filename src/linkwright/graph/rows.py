@@ -102,7 +102,7 @@ class Radicand(GroupRow):
     called = "room:{group}"
 
     def expression(self, view: View) -> Scalar:
-        room = view.motion.dyad(self.group)[0].room()
+        room = view.motion.dyad(self.group)[0].radicand()
         return 1.0 if room is None else room
 
 
@@ -228,7 +228,7 @@ class RawAngle(Row):
             link, base = turned[self.owner][1]
             return bodies[link].heading - bodies[base].heading
         prescribed = self.owner in view.graph.quantities.mechanism.movers
-        return view.own(self.owner, 0, whole=False) if prescribed else bodies[self.owner].heading
+        return view.drive_value(self.owner, 0, whole=False) if prescribed else bodies[self.owner].heading
 
 
 # What acts.

@@ -42,7 +42,7 @@ def standing(quantities: Quantities, structure: Structure) -> tuple[Constraints,
     # Only now, as the assembly fixes constants of some kinds of joints.
     system = Constraints(structure.topology, geometry, size, whole=True)
     if assembly is not None and assembly.start is not None and not assembly.findings:
-        return system, closed(system, system.pose(assembly.start.bodies))[0], []
+        return system, close_joints(system, system.pose(assembly.start.bodies))[0], []
     if assembly is not None and any(finding.code not in ALL_AT_ONCE for finding in assembly.findings):
         return system, None, assembly.findings
     for c, _ in system.others:
@@ -52,7 +52,7 @@ def standing(quantities: Quantities, structure: Structure) -> tuple[Constraints,
     return system, *_closing(quantities, system)
 
 
-def closed(system: Constraints, z: Array) -> tuple[Array, float]:
+def close_joints(system: Constraints, z: Array) -> tuple[Array, float]:
     """The pose at which all joints close best near a start, and what they miss there over the size."""
     for _ in range(STEPS):
         step = np.linalg.lstsq(system.jacobian(z), system.residual(z), rcond=1e-9)[0]
@@ -69,13 +69,13 @@ def _closing(quantities: Quantities, system: Constraints) -> tuple[Array | None,
     found: list[Array] = []
     nearest = math.inf
     for sketched, start in _starts(system, places):
-        z, miss = closed(system, start)
+        z, miss = close_joints(system, start)
         nearest = min(nearest, miss)
-        if miss > CLOSED or not _kept(quantities, system, z):
+        if miss > CLOSED or not _keeps_rules(quantities, system, z):
             continue
         if sketched:
             return z, []
-        if all(np.abs(system.apart(z, other)).max() > SAME for other in found):
+        if all(np.abs(system.pose_difference(z, other)).max() > SAME for other in found):
             found.append(z)
     if len(found) == 1:
         return found[0], []
@@ -128,28 +128,28 @@ def _turned(local: Array, goals: Array) -> float | None:
     return math.atan2(sine, cosine) if math.hypot(sine, cosine) > 0 else None
 
 
-def _kept(quantities: Quantities, system: Constraints, z: Array) -> bool:
+def _keeps_rules(quantities: Quantities, system: Constraints, z: Array) -> bool:
     """Whether a pose keeps the assembly rules that name a side."""
     m, homes = quantities.mechanism, quantities.signals.homes
 
     def turned(link: str, local: Pair) -> Array:
-        angle = 0.0 if link == FRAME else float(z[system.of([link])[2]])
+        angle = 0.0 if link == FRAME else float(z[system.columns_of([link])[2]])
         return np.array(local.turned(Pair(math.cos(angle), math.sin(angle))), dtype=float)
 
-    def place(point: str) -> Array:
+    def point_position(point: str) -> Array:
         link = homes[point]
-        start = np.zeros(2) if link == FRAME else z[system.of([link])[:2]] * system.size
+        start = np.zeros(2) if link == FRAME else z[system.columns_of([link])[:2]] * system.size
         return np.asarray(start + turned(link, system.geometry.point(link, point)))
 
     for name, rule in m.assembly.items():
         if not rule.reference or name not in homes or any(point not in homes for point in rule.reference):
             continue
-        arm = place(name) - place(rule.reference[0])
+        arm = point_position(name) - point_position(rule.reference[0])
         if rule.along:
             first = m.joints[rule.along].links[0]
             side = float(arm @ turned(first, system.geometry.line(rule.along, first)[1]))
         else:
-            line = place(rule.reference[1]) - place(rule.reference[0])
+            line = point_position(rule.reference[1]) - point_position(rule.reference[0])
             side = float(line[0] * arm[1] - line[1] * arm[0])
         if side * (1.0 if rule.word in ("left", "ahead") else -1.0) < 0:
             return False

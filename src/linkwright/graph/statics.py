@@ -81,7 +81,7 @@ class Statics:
         return -v[: values.size].T @ ((u[:, : values.size].T @ self.applied) / values)
 
     @property
-    def rest(self) -> float:
+    def relative_residual(self) -> float:
         """The largest force left on a link (N, moments over the size), over the largest one there is."""
         left = self.slopes.T @ self.multipliers + self.applied
         largest = max(np.abs(self.applied).max(initial=0.0), np.abs(self.multipliers).max(initial=0.0))
@@ -109,7 +109,7 @@ class Statics:
         rows = np.array(self.system.rows) == joint
         unit = np.array([1.0, 1.0, self.system.size])[:, None]
         if link != FRAME:
-            return np.asarray(np.where(rows, self.slopes[:, self.system.of([link])].T, 0.0) * unit)
+            return np.asarray(np.where(rows, self.slopes[:, self.system.columns_of([link])].T, 0.0) * unit)
         found = np.zeros((3, rows.size))
         for other in self.system.links:
             own = self.on(joint, other)
@@ -120,11 +120,11 @@ class Statics:
         """Where a link's origin is (m)."""
         if link == FRAME:
             return np.zeros(2)
-        return np.asarray(self.z[self.system.of([link])[:2]] * self.system.size)
+        return np.asarray(self.z[self.system.columns_of([link])[:2]] * self.system.size)
 
     def pointed(self, link: str, local: tuple[float, float]) -> tuple[Array, Array]:
         """The arm of a link's point from its origin (m), and the link's direction."""
-        angle = 0.0 if link == FRAME else float(self.z[self.system.of([link])[2]])
+        angle = 0.0 if link == FRAME else float(self.z[self.system.columns_of([link])[2]])
         c, s = np.cos(angle), np.sin(angle)
         return np.array([c * local[0] - s * local[1], s * local[0] + c * local[1]]), np.array([c, s])
 

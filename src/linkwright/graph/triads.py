@@ -67,7 +67,7 @@ class TriadSystem:
     @cached_property
     def size(self) -> float:
         """The largest length, of numbers."""
-        return max([e.reach for e in self.every] + [length(e.base.minus(self.origin)) for e in self.every]) or 1.0
+        return max([e.leg_length for e in self.every] + [length(e.base.minus(self.origin)) for e in self.every]) or 1.0
 
     def rows(self, c: Scalar, s: Scalar, size: float = 1.0) -> list[Row]:
         """Linear equations (a, b, c) of the place over a size, from the origin, at a platform's cosine and sine."""
@@ -76,12 +76,12 @@ class TriadSystem:
             a, b, rest = e.row(c, s, self.reference)
             found.append((a, b, (rest + a * self.origin.x + b * self.origin.y) / size))
         if self.circles:
-            radius = self.circles[0].reach / size
+            radius = self.circles[0].leg_length / size
             for circle in self.circles[1:]:
                 # Subtracting the first circle's equation cancels |p|^2 and leaves an equation that is linear in the
                 # place p.
                 x, y = circle.centre(c, s, self.reference).minus(self.origin)
-                x, y, other = x / size, y / size, circle.reach / size
+                x, y, other = x / size, y / size, circle.leg_length / size
                 # |p - m|^2 = l^2 less |p|^2 = r^2
                 found.append((-2 * x, -2 * y, x * x + y * y + radius * radius - other * other))
         return found
@@ -95,7 +95,7 @@ class TriadSystem:
         # Two lines: Cramer's rule gives p = (x, y) / d. Put into the first circle and multiplied by d^2, no division
         # is left, so the expression stays a polynomial in the cosine and sine of phi.
         x, y, d = crossed(*rows)
-        reach = self.circles[0].reach / size * d
+        reach = self.circles[0].leg_length / size * d
         return x * x + y * y - reach * reach
 
     def sampled(self, phi: Array) -> Array:
@@ -116,7 +116,7 @@ class TriadSystem:
         found = []
         for e in self.circles:
             gap = place.minus(e.centre(c, s, self.reference))
-            found.append(gap.dot(gap) - e.reach * e.reach)
+            found.append(gap.dot(gap) - e.leg_length * e.leg_length)
         for line in self.linear:
             a, b, rest = line.row(c, s, self.reference)
             found.append(a * place.x + b * place.y + rest)
@@ -127,7 +127,7 @@ class TriadSystem:
         found = []
         for one, other in combinations(self.circles, 2):
             gap = one.centre(c, s, self.reference).minus(other.centre(c, s, self.reference))
-            a, b = one.reach * one.reach, other.reach * other.reach
+            a, b = one.leg_length * one.leg_length, other.leg_length * other.leg_length
             # Two circles meet if the triangle of radii and centre distance exists (16 times its squared area).
             rest = a + b - gap.dot(gap)
             found.append(4 * a * b - rest * rest)
@@ -137,19 +137,19 @@ class TriadSystem:
                 a, b, rest = line.row(c, s, self.reference)
                 # A circle meets a line if the centre is no farther away than the radius.
                 off = a * centre.x + b * centre.y + rest
-                found.append(circle.reach * circle.reach * (a * a + b * b) - off * off)
+                found.append(circle.leg_length * circle.leg_length * (a * a + b * b) - off * off)
         return found
 
-    def _at(self, phi: float) -> Array:
+    def _equations_at(self, phi: float) -> Array:
         """The linear equations at one of the platform's angles: (equations, 3)."""
         return np.array(self.rows(math.cos(phi), math.sin(phi), self.size), dtype=float).reshape(-1, 3)
 
     def places(self, phi: float) -> Iterator[Pair]:
         """All places of the platform at one of its angles, singular rows included."""
-        rows = self._at(phi)
+        rows = self._equations_at(phi)
         # Scale the lines, so that the singular values below compare directions.
         rows = rows / np.maximum(np.hypot(rows[:, 0], rows[:, 1]), 1e-300)[:, None] if len(rows) else rows
-        radius = self.circles[0].reach / self.size if self.circles else math.nan
+        radius = self.circles[0].leg_length / self.size if self.circles else math.nan
         if len(rows) >= 2:
             # Two lines or more: their common point by least squares, unless they are parallel.
             x, _, _, values = np.linalg.lstsq(rows[:, :2], -rows[:, 2], rcond=1e-12)
@@ -182,7 +182,7 @@ class TriadSystem:
 
     def loose(self, phi: float) -> bool:
         """Whether the platform can be in places without number at an angle: too few of its equations differ."""
-        rows = self._at(phi)
+        rows = self._equations_at(phi)
         values = np.linalg.svd(rows, compute_uv=False) if len(rows) else np.zeros(0)
         return int((values > LOOSE).sum()) < (1 if self.circles else 2)
 

@@ -99,15 +99,15 @@ class View:
     def evaluate(self, node: Node) -> Scalar:
         """The same of a tree bound to SI."""
 
-        def named(name: Name) -> Scalar:
+        def name_value(name: Name) -> Scalar:
             if is_signal(name):
                 return self.row(name.text)
             return self.given["t"] if name.text == "t" else self.motion.geometry.parameters[name.text]
 
-        def called(call: Call) -> Scalar:
+        def call_value(call: Call) -> Scalar:
             return self.row(signal_text(call)) if is_signal(call) else self.lookup(call.name, call.args[0])
 
-        return evaluate(node, named, called)
+        return evaluate(node, name_value, call_value)
 
     # What kinds of force elements ask for.
 
@@ -169,10 +169,10 @@ class View:
         def reaction(link: str) -> Wrench:
             return self.forces.reactions[name, link]
 
-        def ask(bodies: Mapping[str, Body]) -> Scalar:
+        def signal_value(bodies: Mapping[str, Body]) -> Scalar:
             return kind.signal(self.geometry, name, signal.attribute, bodies, reaction)
 
-        return answered(kind, name, self.bodies, ask)
+        return answered(kind, name, self.bodies, signal_value)
 
     def drive(self, signal: Signal) -> Scalar:
         name = signal.owners[0]
@@ -181,11 +181,11 @@ class View:
             acting = self.contacts[name] if signal.attribute in self.contacts[name].signals else self.seconds[name]
             return acting.signals[signal.attribute]
         if (order := DRIVE_ORDERS.get(signal.attribute)) is not None:
-            return self.own(name, order)
+            return self.drive_value(name, order)
         effort = self.forces.efforts[name]
-        return effort * self.own(name, 1) if signal.attribute == "power" else effort
+        return effort * self.drive_value(name, 1) if signal.attribute == "power" else effort
 
-    def own(self, name: str, order: int, whole: bool = True) -> Scalar:
+    def drive_value(self, name: str, order: int, whole: bool = True) -> Scalar:
         """A drive's value or a rate of it; of one with an output, as it follows from the motion (rad, ``whole`` turns
         where they are known)."""
         drive = self.motion.geometry.mechanism.movers[name]
@@ -193,7 +193,7 @@ class View:
             return self.laws[name].d[order]
         if drive.slides:
             joint = self.graph.structure.topology.acting(name)[0].joint
-            return self.motion.moved(drive, joint).d[order]
+            return self.motion.slide_value(drive, joint).d[order]
         link, on = self.motion.bodies[drive.link], self.motion.bodies[drive.on]
         if order:
             return link.turn.d[order - 1] - on.turn.d[order - 1]

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from linkwright.elements import InnerLine, OuterLine, Twist
-from linkwright.graph.placing import carried, inner_joint, outer_joint
+from linkwright.graph.placing import inner_joint, outer_joint, place_chain
 from linkwright.notation import Jet, Pair, Scalar, Wrench
 from linkwright.structure import Wedge
 
@@ -64,7 +64,7 @@ def solve_wedge(motion: Motion, step: Wedge, drives: dict[str, Jet]) -> None:
 
     def miss(rates: list[Scalar]) -> Scalar:
         """What the second slide's equation misses, at its highest rate."""
-        body = carried(motion, step.link, step.chain, drives, first.place(rates[0], Jet(rates[1:])))
+        body = place_chain(motion, step.link, step.chain, drives, first.place(rates[0], Jet(rates[1:])))
         return second.gap(on, body)[1].d[len(rates) - 1]
 
     rates: list[Scalar] = []

@@ -107,7 +107,7 @@ class Dyad(ABC):
         """A distance (m) whose vanishing makes the pose vague while the normalised determinant doesn't show it."""
         return None
 
-    def room(self) -> Scalar | None:
+    def radicand(self) -> Scalar | None:
         """What is under the root (m^2), negative where the group can't close: a polynomial of the known links' places,
         smooth where the outer pins meet, as the reach isn't. ``None`` where there is no root."""
         return None
@@ -118,22 +118,22 @@ class Dyad(ABC):
         rates: tuple[list[Scalar], list[Scalar]] = ([], [])
         a, b = self.place(root.first, rates[0]), self.place(root.second, rates[1], second=True)
         twists = self.first.twist(a), self.second.twist(b)
-        slopes = self.joint.slopes(*self.carried(a, b), *twists)
+        slopes = self.joint.slopes(*self.inner_bodies(a, b), *twists)
         determinant = determinant_of(slopes)
         inverse = 1.0 / determinant if order else 0.0
         for k in range(1, order + 1):
             a = self.place(root.first, [*rates[0], 0.0])
             b = self.place(root.second, [*rates[1], 0.0], second=True)
-            rest = [gap.d[k] for gap in self.joint.gap(*self.carried(a, b))]
+            rest = [gap.d[k] for gap in self.joint.gap(*self.inner_bodies(a, b))]
             q1, q2 = _solve(slopes, inverse, rest)
             rates[0].append(-q1)
             rates[1].append(-q2)
         a, b = self.place(root.first, rates[0]), self.place(root.second, rates[1], second=True)
         best = self.scale(a, b)
-        a, b = self.carried(a, b)
+        a, b = self.inner_bodies(a, b)
         return Solved(a, b, determinant / best, slopes, twists, root.reach)
 
-    def carried(self, a: Body, b: Body) -> tuple[Body, Body]:
+    def inner_bodies(self, a: Body, b: Body) -> tuple[Body, Body]:
         """The links at the inner joint, from those at the outer joints."""
         return self.carry[0](a), self.carry[1](b)
 
@@ -163,13 +163,13 @@ class Dyad(ABC):
             gaps = [float(gap.d[0]) for gap in self.inner.gap(a, b)]
             slopes = self.inner.slopes(a, b, self.first.twist(a), self.second.twist(b))
             steps = _solve(slopes, 1.0 / determinant_of(slopes), gaps)
-            here = [_moved(q, -float(step)) for q, step in zip(here, steps, strict=True)]
+            here = [_stepped_coordinate(q, -float(step)) for q, step in zip(here, steps, strict=True)]
             if max(map(abs, steps)) < tolerance * size:
                 break
         return self.place(here[0], []), self.place(here[1], [], second=True)
 
 
-def _moved(q: Coordinate, step: float) -> Coordinate:
+def _stepped_coordinate(q: Coordinate, step: float) -> Coordinate:
     if not isinstance(q, Pair):
         return q + step
     turned = q.turned(Pair(math.cos(step), math.sin(step)))

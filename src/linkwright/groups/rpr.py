@@ -38,7 +38,7 @@ class RPR(Dyad):
         across = abs(self._across())
         return (distance, across) if distance < across * (1 - SLACK) else None
 
-    def room(self) -> Scalar:
+    def radicand(self) -> Scalar:
         base, across = pin(self.second).base.now.minus(pin(self.first).base.now), self._across()
         return base.dot(base) - across * across
 

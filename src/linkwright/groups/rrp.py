@@ -30,7 +30,7 @@ class RRP(Dyad):
         radius, (_, aside) = length(self.inner.first.minus(pin(self.first).foot)), self._start()
         return (abs(aside), radius) if abs(aside) > radius * (1 + SLACK) else None
 
-    def room(self) -> Scalar:
+    def radicand(self) -> Scalar:
         arm, (_, aside) = self.inner.first.minus(pin(self.first).foot), self._start()
         return arm.dot(arm) - aside * aside
 

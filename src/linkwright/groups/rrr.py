@@ -43,7 +43,7 @@ class RRR(Dyad):
             return distance, r1 + r2
         return (distance, abs(r1 - r2)) if distance < abs(r1 - r2) * (1 - SLACK) else None
 
-    def room(self) -> Scalar:
+    def radicand(self) -> Scalar:
         first, second = pin(self.first), pin(self.second)
         r1, r2 = length(self.inner.first.minus(first.foot)), length(self.inner.second.minus(second.foot))
         base = second.base.now.minus(first.base.now)

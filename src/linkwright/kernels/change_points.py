@@ -86,14 +86,14 @@ class Passages:
 
     every: tuple[Passage, ...] = ()
 
-    def of(self, group: str) -> list[Passage]:
+    def of_group(self, group: str) -> list[Passage]:
         """Those in which a group takes part."""
         return [p for p in self.every if group in p.groups]
 
     def outside(self, t: Array, group: str | None = None) -> NDArray[np.bool_]:
         """Which times lie in no band, or in none of a group."""
         kept = np.full(t.shape, True)
-        for passage in self.every if group is None else self.of(group):
+        for passage in self.every if group is None else self.of_group(group):
             kept &= ~passage.inside(t)
         return kept
 
@@ -106,7 +106,7 @@ class Passages:
 
     def sign(self, group: str, t: Array) -> Array:
         """The group's branch at times ``t`` over that which the model states."""
-        if not (own := self.of(group)):
+        if not (own := self.of_group(group)):
             return np.ones(t.shape)
         passed = np.searchsorted(np.array([p.time for p in own]), t, side="right")
         return np.asarray(1.0 - 2.0 * ((passed - sum(p.at_start for p in own)) % 2))

@@ -51,7 +51,7 @@ def name_of(source: str, about: str) -> str:
     return hashlib.sha256(text.encode()).hexdigest()[:40]
 
 
-def kept(source: str, about: str) -> bool:
+def is_cached(source: str, about: str) -> bool:
     """Whether the kernel of a source lies there."""
     base = folder()
     return base is not None and (base / "kernels" / name_of(source, about)).is_dir()
@@ -79,7 +79,7 @@ def load(source: str, about: str, read: Read) -> ModuleType:
     except OSError:
         return _unkept(source, read, module_name)
     try:
-        module = _made(aside, source, read, module_name)
+        module = _uncached_module(aside, source, read, module_name)
         with contextlib.suppress(OSError):  # another process may have been first, or the disk is full
             _write_sums(aside)
             for file in aside.rglob("*"):
@@ -131,11 +131,11 @@ def _kernels() -> Path | None:
     except OSError:
         return None
     replaceable = any(mode & stat.S_IWOTH and not mode & stat.S_ISVTX for mode in above)
-    alone = _own(base) and _own(base / "kernels") and not (replaceable and os.name == "posix")
+    alone = _is_private(base) and _is_private(base / "kernels") and not (replaceable and os.name == "posix")
     return base / "kernels" if alone else None
 
 
-def _own(place: Path) -> bool:
+def _is_private(place: Path) -> bool:
     """Whether a file or folder is the user's, no link, and not for others to write."""
     found = place.lstat()
     if stat.S_ISLNK(found.st_mode):
@@ -154,12 +154,12 @@ def _unkept(source: str, read: Read, name: str) -> ModuleType:
     """A module compiled in a folder for the while, or from its text alone."""
     try:
         with temporary_folder() as where:
-            return _made(where, source, read, name)
+            return _uncached_module(where, source, read, name)
     except ModelError:  # no folder for temporary files either
         return read(source, None, name)
 
 
-def _made(where: Path, source: str, read: Read, name: str) -> ModuleType:
+def _uncached_module(where: Path, source: str, read: Read, name: str) -> ModuleType:
     path = where / "kernel.py"
     try:
         path.write_text(source, encoding="utf-8")
@@ -183,7 +183,7 @@ def _write_sums(place: Path) -> None:
 def _sound(place: Path) -> bool:
     """Whether a kept kernel is whole, to the last byte, and nothing in it can be another user's."""
     try:
-        if not all(map(_own, (place, *place.rglob("*")))):
+        if not all(map(_is_private, (place, *place.rglob("*")))):
             return False
         told = json.loads((place / SUMS).read_text(encoding="utf-8"))
         return bool(told) and told == _files(place)

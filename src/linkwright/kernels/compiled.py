@@ -63,7 +63,7 @@ class Compiled:
         links, joints = len(self.mechanism.links), self.structure.topology.joint_count
         return f"<{type(self).__name__} {self.mechanism.title!r}: links {links}, joints {joints}>"
 
-    def kept(self, key: object, make: Callable[[], Made]) -> Made:
+    def cached(self, key: object, make: Callable[[], Made]) -> Made:
         """What others derive of it, made once for a key."""
         if key not in self._kept:
             self._kept[key] = make()
@@ -112,7 +112,7 @@ class Compiled:
         Angles of links come out in -pi..pi where the graph doesn't know them exactly; see
         :class:`linkwright.results.Run` for continuous ones.
         """
-        y = self.closed(names, t, rates)
+        y = self.closed_form_rows(names, t, rates)
         for passage in self.passages.every:
             inside = passage.inside(t)
             if inside.any():
@@ -124,7 +124,7 @@ class Compiled:
         y = self.evaluate(names, t, rates=True)
         return y[:, 0], y[:, 1]
 
-    def closed(self, names: Sequence[Named], t: Array, rates: bool = False) -> Array:
+    def closed_form_rows(self, names: Sequence[Named], t: Array, rates: bool = False) -> Array:
         """The program's rows at times ``t`` by their closed forms alone, each followed by its rate if asked for."""
         key = (tuple(names), rates)
         if key not in self._kernels:
@@ -139,7 +139,7 @@ class Compiled:
         key = (passage, names, rates)
         if key not in self._nodes:
             turning = [step * i for i, name in enumerate(names) if self.graph.wrapped(name)]
-            self._nodes[key] = unwrapped(self.closed(names, passage.nodes, rates), turning)
+            self._nodes[key] = unwrapped(self.closed_form_rows(names, passage.nodes, rates), turning)
         values = self._nodes[key]
         signals = self.graph.signals(names)
         poles = [self._pole(passage, signal) for signal in signals]
@@ -147,7 +147,7 @@ class Compiled:
         y = passage.between(t, values, np.array(powers, dtype=int))
         centres = [signal is not None and signal.kind == "pole" for signal in signals]
         if any(centres):  # these may be at infinity anywhere
-            off = passage.between(passage.proof, values) - self.closed(names, passage.proof, rates)
+            off = passage.between(passage.proof, values) - self.closed_form_rows(names, passage.proof, rates)
             far = ~(np.abs(off) <= 1e-7 * np.abs(values).max(axis=1, keepdims=True)).all(axis=1)
             y[far & np.repeat(centres, step)] = np.nan
         for i, signal in enumerate(signals):
@@ -167,7 +167,7 @@ class Compiled:
         opposite = replace(signal, owners=(*signal.owners[1::-1], *signal.owners[2:]))
         return max(passage.poles.get(s.text, 0) for s in (signal, opposite))
 
-    def carried(self, passages: Passages) -> Compiled:
+    def with_passages(self, passages: Passages) -> Compiled:
         """The same mechanism with its branches carried through change points."""
         other = copy(self)
         other.passages, other._nodes = passages, {}

@@ -51,7 +51,7 @@ class Corrector:
         """What solves the higher group; built when it is asked for, which an examination doesn't."""
         return KERNELS[self.kernel](self.graph.solving(self.higher_group))
 
-    def moved(self, step: Array, u: Array) -> Array:
+    def largest_step(self, step: Array, u: Array) -> Array:
         """The largest step of a pose's coordinates: (poses,), in rad, and of slides over the size or where it is more
         over how far they are out, so that one that runs away doesn't do so in ever smaller steps."""
         # A slide counts relative to its own travel once that exceeds the mechanism's size.
@@ -85,7 +85,9 @@ class Continuation(Corrector):
         # Predict from the path, correct with Newton, and keep the largest correction for the certificate.
         start = self.foretell(x, t, p, at)
         found = self.newton(x, start, p)
-        self.correction = max(self.correction, float(np.nan_to_num(self.moved(found - start, found)).max(initial=0.0)))
+        self.correction = max(
+            self.correction, float(np.nan_to_num(self.largest_step(found - start, found)).max(initial=0.0))
+        )
         return found
 
     def foretell(self, x: Array, t: Array, p: Array, at: Callable[[Array], Array]) -> Array:
@@ -108,7 +110,7 @@ class Continuation(Corrector):
             x = at(np.array([there]))
             # Corrector: Newton from the predicted pose.
             found = self.newton(x, guess[:, None], p)[:, 0]
-            moved = self.moved((found - guess)[:, None], u[:, None])[0]
+            moved = self.largest_step((found - guess)[:, None], u[:, None])[0]
             # A large correction (or NaN, no solution) could mean another assembly mode: refuse the step and halve it.
             # If that needs steps that are too short, the path ends here at a singular pose.
             if not moved < CLOSE:

@@ -37,7 +37,7 @@ class _Joined(Corrector):
         super().__init__(graph, higher_group, size, kernel)
         self.closure: Kernel = KERNELS[kernel](graph.program(graph.closure(higher_group)))
 
-    def closed(self, x: Array, p: Array) -> tuple[Array, Array]:
+    def closure_errors(self, x: Array, p: Array) -> tuple[Array, Array]:
         """What the closures miss, (n, poses), and their slopes, (poses, n, n)."""
         y, n = self.closure.run(x, p), self.n
         return y[:n], y[n:].reshape(n, n, -1).transpose(2, 0, 1)
@@ -50,16 +50,16 @@ class _Joined(Corrector):
         """
         # Forward: from the known pose, predict with the slopes there (one Newton step), then let Newton converge.
         u = x[self.rows]
-        missed = self.closed(x, p)[0].T
+        missed = self.closure_errors(x, p)[0].T
         guess = u - steps(slopes, missed)
         x[self.rows] = found = self.newton(x, guess, p)
         # Backward: from the pose found, predict the old one with the new slopes. Only if both predictions are good is
         # the step certainly on the same assembly mode.
-        ending = self.closed(x, p)[1]
+        ending = self.closure_errors(x, p)[1]
         back = found + steps(ending, missed)
-        off = np.maximum(self.moved(found - guess, found), self.moved(back - u, found))
+        off = np.maximum(self.largest_step(found - guess, found), self.largest_step(back - u, found))
         # The step also must not move any coordinate by more than the stride, however good the prediction is.
-        return np.maximum(off / CLOSE, self.moved(found - u, found) / STRIDE), ending
+        return np.maximum(off / CLOSE, self.largest_step(found - u, found) / STRIDE), ending
 
 
 class Pursuit:
@@ -79,15 +79,15 @@ class Pursuit:
             x[joined.rows] = joined.solver.run(x, p)
         return x[self.rows]
 
-    def moved(self, step: Array, u: Array) -> Array:
-        """The largest step of a pose's coordinates, as :meth:`Corrector.moved` has it: (...) of (coordinates, ...)."""
+    def largest_step(self, step: Array, u: Array) -> Array:
+        """The largest step of a pose's coordinates, as :meth:`Corrector.largest_step`: (...) of (coordinates, ...)."""
         far = np.zeros(step.shape[1:])
         for part, of, (scale, slides) in zip(np.abs(step), u, self.scales, strict=True):
             part /= np.maximum(scale, np.abs(of)) if slides else scale
             np.maximum(far, part, out=far)  # keeps NaN
         return far
 
-    def reach(self, place: Place, u: Array, now: Array, targets: Array, least: Array) -> Array:
+    def advance_to(self, place: Place, u: Array, now: Array, targets: Array, least: Array) -> Array:
         """The coordinates at ``targets`` (samples, targets), ascending, from ``u`` (coordinates, samples) at ``now``:
         (coordinates, samples, targets); NaN before ``now``, and from where steps shorter than ``least`` are needed.
 
@@ -106,7 +106,7 @@ class Pursuit:
         x, p = place(todo, now[todo])
         x[self.rows] = u[:, todo]
         for joined, known in zip(self.joined, slopes, strict=True):
-            known[todo] = joined.closed(x, p)[1]
+            known[todo] = joined.closure_errors(x, p)[1]
         while True:
             # Samples that have arrived at their target note the pose and aim at the next one (several targets may be
             # equal).
@@ -184,12 +184,12 @@ class Pursued:
         t = np.where(np.isfinite(t), t, -1.0)
         key = p.tobytes(), t.tobytes()
         if getattr(self.kept, "key", None) != key:
-            self.kept.poses = self._found(x, p, np.broadcast_to(t, (p.shape[1], t.shape[-1])))
+            self.kept.poses = self._followed_paths(x, p, np.broadcast_to(t, (p.shape[1], t.shape[-1])))
             self.kept.key = key
         found: Array = self.kept.poses
         return found
 
-    def _found(self, x: Array, p: Array, t: Array) -> Array:
+    def _followed_paths(self, x: Array, p: Array, t: Array) -> Array:
         """The same, from path to path."""
         found = np.full((len(self.rows), *t.shape), np.nan)
         lost = np.zeros(t.shape, dtype=bool)
@@ -222,7 +222,7 @@ class Pursued:
         x = x.reshape(len(x), -1)
         x[self.rows] = guess.reshape(len(guess), -1)
         found = self.pursuit.solve(x, np.repeat(p, t.shape[1], axis=1)).reshape(guess.shape)
-        far = self.pursuit.moved(found - guess, found)
+        far = self.pursuit.largest_step(found - guess, found)
         return found, (t >= 0) & (t <= paths.end[some, None]) & ~(far < NEAR)
 
     def gather(self, p: Array) -> None:
@@ -243,15 +243,15 @@ class Pursued:
     def _place(self, p: Array) -> Place:
         """Samples at a time each."""
 
-        def place(which: NDArray[np.intp], t: Array) -> tuple[Array, Array]:
+        def pose_inputs(which: NDArray[np.intp], t: Array) -> tuple[Array, Array]:
             return self._inputs(p[:, which], t), p[:, which]
 
-        return place
+        return pose_inputs
 
     def _started(self, p: Array) -> Array:
         """At t = 0, by continuation in the parameters."""
 
-        def place(which: NDArray[np.intp], share: Array) -> tuple[Array, Array]:
+        def pose_inputs(which: NDArray[np.intp], share: Array) -> tuple[Array, Array]:
             goal, nominal = p[:, which], self.nominal[:, None]
             # The homotopy: parameters move on a straight line from the nominal ones to those of the sample.
             there = np.where(share < 1, nominal + share * (goal - nominal), goal)
@@ -260,7 +260,7 @@ class Pursued:
         samples = p.shape[1]
         u = np.where(np.isfinite(p).all(axis=0), np.repeat(self.start[:, None], samples, axis=1), np.nan)
         once = np.ones((samples, 1))
-        return self.pursuit.reach(place, u, np.zeros(samples), once, np.full(samples, PATIENCE))[..., 0]
+        return self.pursuit.advance_to(pose_inputs, u, np.zeros(samples), once, np.full(samples, PATIENCE))[..., 0]
 
     def _inputs(self, p: Array, t: Array) -> Array:
         """The inputs of samples at one time each."""
@@ -270,5 +270,5 @@ class Pursued:
         """From pose to pose, from coordinates ``u`` (coordinates, samples) at times ``since`` (samples,) on."""
         order = np.argsort(t, axis=1, kind="stable")
         least = PATIENCE * t.max(axis=1, initial=0.0)
-        found = self.pursuit.reach(self._place(p), u, since, np.take_along_axis(t, order, axis=1), least)
+        found = self.pursuit.advance_to(self._place(p), u, since, np.take_along_axis(t, order, axis=1), least)
         return np.take_along_axis(found, np.argsort(order, axis=1)[None], axis=2)

@@ -44,11 +44,11 @@ class Solver(Protocol):
     def solve(self, x: Array, p: Array) -> Array:
         """The coordinates, (coordinates, poses), from inputs in which starts stand; they replace these."""
 
-    def moved(self, step: Array, u: Array) -> Array:
+    def largest_step(self, step: Array, u: Array) -> Array:
         """The largest step of a pose's coordinates: (...) of (coordinates, ...), in rad or over the size."""
 
-    def reach(self, place: Place, u: Array, now: Array, targets: Array, least: Array) -> Array:
-        """The coordinates at targets by steps of any length, as ``Pursuit.reach`` has them."""
+    def advance_to(self, place: Place, u: Array, now: Array, targets: Array, least: Array) -> Array:
+        """The coordinates at targets by steps of any length, as ``Pursuit.advance_to`` has them."""
 
 
 class SamplePaths:
@@ -91,10 +91,10 @@ class SamplePaths:
             goal = here[stuck] + RIM * self.span
             least = np.full(stuck.size, PATIENCE * self.span)
             u = self.u[:, stuck, self.last[stuck]]
-            reached = self.solver.reach(self._of(stuck), u, here[stuck], goal[:, None], least)
+            reached = self.solver.advance_to(self._place_of(stuck), u, here[stuck], goal[:, None], least)
             self.end[stuck] = np.where(np.isnan(reached[0, :, 0]), goal, np.inf)
 
-    def _of(self, some: Index) -> Place:
+    def _place_of(self, some: Index) -> Place:
         """The place of samples that are counted among some."""
         return lambda which, t: self.place(some[which], t)
 
@@ -105,7 +105,7 @@ class SamplePaths:
         # Predictor of second order: rates and half their rate of change, estimated over the last step.
         there, guess = here + step, u + step * (rate + step * self.bend[:, todo])
         found, ending = self._solved(todo, there, guess)
-        moved = self.solver.moved
+        moved = self.solver.largest_step
         # Three errors over what is allowed: the correction by Newton, the length of the step, and how far the step
         # differs from the trapezoidal rule. The last one measures the error of the cubic interpolation.
         off = moved(found - guess, found) / CLOSE

@@ -62,7 +62,7 @@ class Supply:
             x[self.rows[f"turns/{name}"]] = turns(x, t, p, at)
         given = dict(zip(self.graph.parameters, p, strict=True))
         self.look_up(x, lambda kernel: kernel.run(x, p), given)
-        self.ride(x, given)
+        self.fill_follower_inputs(x, given)
 
     def look_up(self, x: Array, ask: Callable[[Kernel], Array], parameters: Parameters) -> None:
         """Put the answers of tables into ``x`` (inputs, ...); ``ask`` runs the kernel of the arguments."""
@@ -70,11 +70,11 @@ class Supply:
             answers = ask(kernel).reshape(len(which), 2, *x.shape[1:])
             for i, argument in zip(which, answers, strict=True):
                 lookup = self.graph.actions.lookups[i]
-                table = self.tables[lookup.table].given(parameters)
+                table = self.tables[lookup.table].at_parameters(parameters)
                 value = (table.integral if lookup.integral else table.or_nan)(Jet([*argument]))
                 x[self.rows[f"table/{i}/0"]], x[self.rows[f"table/{i}/1"]] = value.d
 
-    def ride(self, x: Array, parameters: Parameters) -> None:
+    def fill_follower_inputs(self, x: Array, parameters: Parameters) -> None:
         """Put the ratios of followers, and what places their second contacts, into ``x`` (inputs, ...)."""
         for name, law in self.followers.items():
             motor = self.motor(law)

@@ -18,36 +18,36 @@ from linkwright.notation import Jet
 
 @dataclass(frozen=True)
 class FollowerLaw(DriveLaw):
-    """The law of a follower; ``ride`` gives its value from that of its motor (rad or m) with its rates."""
+    """The law of a follower; ``follower_value`` gives its value from that of its motor (rad or m) with its rates."""
 
     motor: str = ""
     turned: int = 1
-    ride: Callable[[Jet, Parameters], Jet] | None = None
+    follower_value: Callable[[Jet, Parameters], Jet] | None = None
     total: float = 0.0
     """What of a motion law places a second contact."""
 
     def ratio(self, angle: Any, speed: Any, parameters: Parameters) -> tuple[Any, Any]:
         """The derivative of the follower's value by the motor's (as ``turned``), and its rate in time, at that (rad)
         and speed (rad/s); these and the parameters may be duals."""
-        assert self.ride is not None
+        assert self.follower_value is not None
         with np.errstate(all="ignore"):
-            value = self.ride(Jet([angle, 1.0, 0.0]), parameters)
+            value = self.follower_value(Jet([angle, 1.0, 0.0]), parameters)
             return self.turned * value.d[1], self.turned * value.d[2] * speed
 
     def along(self, angle: float) -> tuple[float, float]:
         """The follower's value (rad or m) and its derivative by the motor's, at a value of that (rad)."""
-        assert self.ride is not None
-        value, slope = self.ride(Jet([angle, 1.0]), self.parameters).d
+        assert self.follower_value is not None
+        value, slope = self.follower_value(Jet([angle, 1.0]), self.parameters).d
         return float(value), float(slope)
 
     def driven_by(self, motor: DriveLaw) -> FollowerLaw:
         """The same follower with another law of its motor."""
-        ride = self.ride
-        assert ride is not None
+        follower_value = self.follower_value
+        assert follower_value is not None
 
         def of(t: Array, parameters: Parameters, strict: bool) -> Jet:
             with np.errstate(all="ignore"):
-                return ride(motor.of(t, parameters, strict), parameters)
+                return follower_value(motor.of(t, parameters, strict), parameters)
 
         return replace(self, of=of, names=self.names | motor.names)
 
@@ -59,15 +59,15 @@ def follower_law(
     follower = quantities.mechanism.followers[name]
     noted = Noting(quantities.parameters)
     with np.errstate(all="ignore"):  # what has no start is told by :func:`follower_faults`
-        riding = follower.riding(Geometry(quantities, noted), motions)
+        relation = follower.riding(Geometry(quantities, noted), motions)
 
-    def ride(value: Jet, parameters: Parameters) -> Jet:
-        return riding.value(Geometry(quantities, parameters), value)
+    def follower_value(value: Jet, parameters: Parameters) -> Jet:
+        return relation.value(Geometry(quantities, parameters), value)
 
     with np.errstate(all="ignore"):
-        ride(Jet.constant(0.0, 1), noted)
+        follower_value(Jet.constant(0.0, 1), noted)
     names, turned = frozenset(noted.asked), follower.turned
-    made = FollowerLaw(motor.of, quantities.parameters, names, follower.motor, turned, ride, riding.total)
+    made = FollowerLaw(motor.of, quantities.parameters, names, follower.motor, turned, follower_value, relation.total)
     return made.driven_by(motor)
 
 

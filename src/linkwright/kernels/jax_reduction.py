@@ -33,16 +33,16 @@ class DeviceReduction:
         empty = np.zeros((5, len(self.kernel.program.outputs), width))
         empty[3], empty[4] = np.inf, -np.inf
         states: list[Any] = [empty for _ in parts]
-        inputs = [self._put(padded(x[:, None, start : start + width], width)) for start in parts]
+        inputs = [self._on_device(padded(x[:, None, start : start + width], width)) for start in parts]
         for first in range(0, samples, height):
-            given = self._put(padded(p[:, first : first + height, None], height, axis=1))
+            given = self._on_device(padded(p[:, first : first + height, None], height, axis=1))
             count = np.int64(samples - first)
             states = [self.kernel.call(self.fold, *each, given, count) for each in zip(states, inputs, strict=True)]
         whole = np.concatenate([empty[..., :0], *map(np.asarray, states)], axis=2)[..., :poses]
         whole[1:, whole[0] == 0] = np.array([np.nan, 0.0, np.nan, np.nan])[:, None]
         return dict(zip(FIGURES, whole, strict=True))
 
-    def _put(self, values: Array) -> Any:
+    def _on_device(self, values: Array) -> Any:
         return self.kernel.call(self.kernel.jax.device_put, values)
 
     def _fold(self, state: Any, x: Any, p: Any, count: Any) -> Any:

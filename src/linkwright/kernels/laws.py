@@ -48,7 +48,7 @@ def action_tables(quantities: Quantities, folder: Path | None) -> tuple[dict[str
     acting = [*m.acting()]
     parts = (n for one in acting for part, _ in one.kind.laws(one.entry) for n in nodes(part.node))
     names = [n.name for n in parts if isinstance(n, Call)]
-    names += [asked.table for one in acting for asked in one.kind.asked(one.name, one.entry)]
+    names += [asked.table for one in acting for asked in one.kind.needed_tables(one.name, one.entry)]
     tables: dict[str, StatedTable] = {}
     findings: list[Finding] = []
     for name in dict.fromkeys(name for name in names if name in m.tables):
@@ -85,7 +85,7 @@ class _LawReader:
             if isinstance(part, Name | Call) and is_signal(part):
                 self.findings.append(Finding("drive.signal", path, {"name": getattr(part, "text", "force")}))
                 return None
-            if isinstance(part, Call) and not self._called(part.name, path):
+            if isinstance(part, Call) and not self._has_function(part.name, path):
                 return None
         law = self._expression(name, node)
         try:
@@ -99,7 +99,7 @@ class _LawReader:
         """The law of a follower, behind that of its motor."""
         follower = self.quantities.mechanism.followers[name]
         motor, path = laws.get(follower.motor), self.quantities.mechanism.path_of(name)
-        if motor is None or not all(self._called(law, (*path, key)) for key, law in follower.laws.items()):
+        if motor is None or not all(self._has_function(law, (*path, key)) for key, law in follower.laws.items()):
             return None
         return follower_law(self.quantities, name, self.motions, motor)
 
@@ -124,22 +124,22 @@ class _LawReader:
         def law(t: Array, parameters: Parameters, strict: bool) -> Jet:
             time = Jet([t, np.ones_like(t), *[np.zeros_like(t)] * (ORDER - 1)])
 
-            def given(name: Name) -> Any:
+            def name_value(name: Name) -> Any:
                 return time if name.text == "t" else parameters[name.text]
 
-            def called(call: Call) -> Jet:
-                argument = evaluate(call.args[0], given, called)
+            def call_value(call: Call) -> Jet:
+                argument = evaluate(call.args[0], name_value, call_value)
                 x = argument if isinstance(argument, Jet) else Jet.constant(argument, ORDER)
                 if call.name in motions:
-                    return motions[call.name].given(parameters).on(x)
+                    return motions[call.name].at_parameters(parameters).on(x)
                 table = tables[call.name]
                 assert table is not None
-                asked = table.given(parameters)
+                asked = table.at_parameters(parameters)
                 return asked(x) if strict else asked.or_nan(x)
 
             try:
                 with np.errstate(all="ignore"):
-                    value = evaluate(node, given, called)
+                    value = evaluate(node, name_value, call_value)
             except OutsideTable as error:
                 data = {"drive": drive, "at": error.at, "low": error.low, "high": error.high}
                 raise ModelError([Finding("drive.outside-table", ("drives", drive, "position"), data)]) from None
@@ -152,7 +152,7 @@ class _LawReader:
 
         return self._law(law, node)
 
-    def _called(self, name: str, path: tuple[str | int, ...]) -> bool:
+    def _has_function(self, name: str, path: tuple[str | int, ...]) -> bool:
         """Whether a function that a position calls can be asked."""
         m = self.quantities.mechanism
         if name in m.laws:

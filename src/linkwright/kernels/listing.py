@@ -59,7 +59,7 @@ class Listing:
         self.outputs = [outputs[row] for row in range(stage.rows)]
 
 
-def spelled(number: float) -> str:
+def number_text(number: float) -> str:
     """A number as an operand in an emitter's text; the names ``inf`` and ``nan`` have to be there."""
     if number != number:
         return "nan"

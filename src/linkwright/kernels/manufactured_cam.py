@@ -17,7 +17,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 from linkwright.elements.cam_contact import CamFollower, cam_followers
-from linkwright.elements.cam_contact.contact import CamPair, seat, sense, slant, whole
+from linkwright.elements.cam_contact.contact import CamPair, base_circle_turns, seat, sense, slant
 from linkwright.expressions import units as u
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels.compiled import Compiled
@@ -34,7 +34,7 @@ ORDERS = (0, 0, 0, 1, 3)
 derivatives it doubles the number that are right."""
 
 
-def cut(compiled: Compiled) -> Compiled:
+def with_cut_cams(compiled: Compiled) -> Compiled:
     """The mechanism with all its cams cut as the nominal parameters ask for; other parameters leave them so."""
     if not compiled.mechanism.cams:
         return compiled
@@ -42,7 +42,9 @@ def cut(compiled: Compiled) -> Compiled:
     for name, drive in cam_followers(compiled.mechanism).items():
         if isinstance(law := compiled.laws[name], FollowerLaw):
             made = _Cut(compiled, drive, law)
-            laws[name] = replace(made.law, ride=made.ride, plays=made.plays).driven_by(compiled.laws[law.motor])
+            laws[name] = replace(made.law, follower_value=made.follower_value, plays=made.plays).driven_by(
+                compiled.laws[law.motor]
+            )
     return replace(compiled, laws=laws)
 
 
@@ -76,17 +78,17 @@ class _Cut:
         plain = Geometry(self.quantities, noted)
         self.plan = seat(plain, drive)
         self.slant = slant(plain, drive) if self.plan.faced and not self.plan.turns else 0.0
-        self.turn = whole(plain.nominal, drive)
+        self.turn = base_circle_turns(plain.nominal, drive)
         self.law, self.nominal = replace(law, names=law.names | noted.asked), nominal
         self.plays = frozenset(_plays(self.quantities, drive))
 
-    def ride(self, angle: Jet, parameters: Parameters) -> Jet:
+    def follower_value(self, angle: Jet, parameters: Parameters) -> Jet:
         """The follower's value (rad or m) from the motor's angle, at other parameters."""
         own = ((parameters[name], self.nominal[name]) for name in self.law.names if name in parameters)
         plays = {name: parameters[name] for name in self.plays if name in parameters}
         if not plays and all(isinstance(value, float) and value == planned for value, planned in own):
-            assert self.law.ride is not None
-            return self.law.ride(angle, parameters)
+            assert self.law.follower_value is not None
+            return self.law.follower_value(angle, parameters)
         geometry = Geometry(self.quantities, parameters, plays)
         here, phase = seat(geometry, self.drive), geometry.number(self.drive.cam.phase, u.ANGLE)
         plan = replace(self.plan, base=here.base)
@@ -97,8 +99,8 @@ class _Cut:
         cam, point = self.drive.cam.cam, self.drive.shaft[0]
         beside = geometry.point(cam, point).minus(geometry.pinned(cam, point))
         moved = _turned(_vector(beside, at), turned)
-        pose = _Pose(geometry, self.motion.given(parameters), here, turned, at, phase, moved)
-        found = (self.rolled if not plan.faced else self.faced if plan.turns else self.flat)(plan, pose)
+        pose = _Pose(geometry, self.motion.at_parameters(parameters), here, turned, at, phase, moved)
+        found = (self.rolled if not plan.faced else self.flat_swinging if plan.turns else self.flat)(plan, pose)
         return found - self.turn
 
     def rolled(self, plan: CamPair, pose: _Pose) -> Jet:
@@ -111,7 +113,7 @@ class _Cut:
             """From the pose in which the law is asked at an angle to that of the cam."""
             return _turned(vector, pose.turned - forward * (at - pose.phase))
 
-        def place(at: Jet, centre: Vec, way: Vec) -> Vec:
+        def contact_point(at: Jet, centre: Vec, way: Vec) -> Vec:
             across = centre.plus(way.perp.times(forward))
             return spun(centre.plus(across.times(more / across.dot(across).sqrt())), at)
 
@@ -122,7 +124,7 @@ class _Cut:
                 bent = self.bend(motion, plan, at, centre, way).minus(way.perp.times(2 * forward)).minus(centre)
                 size = past.dot(past)
                 past = past.times(1.0 - (forward * more) * past.cross(bent) / (size * size.sqrt()))
-            point, past = place(at, centre, way), spun(past, at)
+            point, past = contact_point(at, centre, way), spun(past, at)
             if here.turns:
                 arm = point.minus(pivot)
                 off: Jet = (arm.dot(arm) - here.reach * here.reach) / (2 * arm.dot(past))
@@ -131,7 +133,7 @@ class _Cut:
             return aside
 
         at = _solved(step, pose.at)
-        point = place(at, *self.centre(motion, plan, at))
+        point = contact_point(at, *self.centre(motion, plan, at))
         if not here.turns:
             height: Jet = here.sign * _along(point.plus(pose.centre), here.way) + here.offset
             return height
@@ -170,7 +172,7 @@ class _Cut:
         height: Jet = here.sign * (reach + here.aside * s) / c + here.offset
         return height
 
-    def faced(self, plan: CamPair, pose: _Pose) -> Jet:
+    def flat_swinging(self, plan: CamPair, pose: _Pose) -> Jet:
         """With a swinging flat face: a tangent of the profile, by its distance from the shaft over its direction."""
         here, motion = pose.here, pose.motion
         away, planned = pose.from_cam(here.pivot), _vector(plan.pivot.minus(plan.shaft), pose.at)

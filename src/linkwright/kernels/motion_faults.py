@@ -46,7 +46,7 @@ def law_faults(sampled: Sampled, motions: Mapping[str, StatedMotion]) -> list[Fi
             )
             try:
                 with np.errstate(all="ignore"):
-                    found = [*_asked(sampled, name, law, reader.motion(), askers.get(name, []))]
+                    found = [*_jump_faults(sampled, name, law, reader.motion(), askers.get(name, []))]
             except MotionError as error:
                 found = [(reader.finding(name, fault), fault.where) for fault in error.faults]
             findings += [finding for finding, where in found if sampled.bad(np.ravel(where))]
@@ -72,7 +72,7 @@ def asking(m: Mechanism) -> dict[str, list[Asker]]:
     return found
 
 
-def _asked(
+def _jump_faults(
     sampled: Sampled, name: str, law: StatedMotion, made: Motion, askers: list[Asker]
 ) -> Iterator[tuple[Finding, Any]]:
     """What is wrong with a law of samples for those that ask it, and in which samples."""
@@ -80,7 +80,7 @@ def _asked(
     for path, follower in askers:
         if wrong.any():
             own = {n: np.broadcast_to(sampled.parameters[n], sampled.samples)[wrong.argmax()] for n in law.names}
-            alone = law.given({n: float(value) for n, value in own.items()})
+            alone = law.at_parameters({n: float(value) for n, value in own.items()})
             yield from ((finding, wrong) for finding in jump(sampled, name, alone, path))
         if follower is not None:
             yield from follower.law_faults(sampled, name, made, path)

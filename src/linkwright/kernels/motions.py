@@ -64,7 +64,7 @@ class StatedMotion(Motion):
     make: Callable[[Parameters, bool], Motion] | None = None
     _kept: dict[Any, Motion] = field(default_factory=dict, repr=False, compare=False)
 
-    def given(self, parameters: Parameters) -> Motion:
+    def at_parameters(self, parameters: Parameters) -> Motion:
         """At other parameters; what makes no sense there comes out as it may."""
         if parameters is self.nominal or all(_same(parameters[name], self.nominal[name]) for name in self.names):
             return self
@@ -132,12 +132,12 @@ def motion_laws(quantities: Quantities) -> tuple[dict[str, StatedMotion], list[F
             nominal.beyond,
             frozenset(names),
             quantities.parameters,
-            partial(_made, quantities, law),
+            partial(_read_motion, quantities, law),
         )
     return made, findings
 
 
-def _made(quantities: Quantities, law: stated.MotionLaw, parameters: Parameters, checked: bool) -> Motion:
+def _read_motion(quantities: Quantities, law: stated.MotionLaw, parameters: Parameters, checked: bool) -> Motion:
     return MotionReader(quantities, law, parameters).motion(checked)
 
 
@@ -254,7 +254,7 @@ class MotionReader:
             return value if isinstance(value, Jet) else Jet.constant(value, u.order)
 
         own = tuple(values[name] for name in sorted(names_in(node)) if name in values)
-        curve = Curve((Formula(function, lambda x: spelled(node, {**values, stated.ARGUMENT: x}), given=own),))
+        curve = Curve((Formula(function, lambda x: expression_text(node, {**values, stated.ARGUMENT: x}), given=own),))
         if self.checked:
             grid = np.linspace(0.0, 1.0, 257)
             smooth = [np.isfinite(value_of(curve.at(grid, order))).all(axis=-1, keepdims=True) for order in range(3)]
@@ -287,16 +287,16 @@ def _unknown(numbers: tuple[Scalar, ...]) -> Any:
     return np.any([np.isnan(np.atleast_2d(value_of(number))) for number in numbers], axis=0) if numbers else False
 
 
-def spelled(node: Node, values: dict[str, Any]) -> str:
+def expression_text(node: Node, values: dict[str, Any]) -> str:
     """A bound tree as text that says it exactly: numbers as Python writes them, names by their values or texts."""
     if isinstance(node, Number):
         return repr(float(node.value)) if node.value >= 0 else f"({float(node.value)!r})"
     if isinstance(node, Name):
         value = node.text if node.text == "pi" else values[node.text]
-        return value if isinstance(value, str) else spelled(Number(float(value)), values)
+        return value if isinstance(value, str) else expression_text(Number(float(value)), values)
     if isinstance(node, Negative):
-        return f"(-{spelled(node.of, values)})"
+        return f"(-{expression_text(node.of, values)})"
     if isinstance(node, Call):
-        return f"{node.name}({', '.join(spelled(arg, values) for arg in node.args)})"
+        return f"{node.name}({', '.join(expression_text(arg, values) for arg in node.args)})"
     assert isinstance(node, Binary)
-    return f"({spelled(node.left, values)} {node.op} {spelled(node.right, values)})"
+    return f"({expression_text(node.left, values)} {node.op} {expression_text(node.right, values)})"

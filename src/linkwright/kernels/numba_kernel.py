@@ -54,9 +54,9 @@ class NumbaKernel:
                     self._forms[form] = _module(str(KernelSource.fitting(self.program, form))).run
         return self._forms[form]
 
-    def kept(self, form: str = "apart") -> bool:
+    def is_cached(self, form: str = "apart") -> bool:
         """Whether a form is at hand without compiling."""
-        return form in self._forms or code_cache.kept(str(KernelSource.fitting(self.program, form)), _about())
+        return form in self._forms or code_cache.is_cached(str(KernelSource.fitting(self.program, form)), _about())
 
     def run(self, x: Array, p: Array, out: Array | None = None) -> Array:
         poses = x.shape[1]

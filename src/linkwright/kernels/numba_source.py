@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 
 from linkwright.graph.program import ACCEPTED, MOST_STEPS, SOLVED, NewtonStage, Program
 from linkwright.kernels.elementary import source as functions_text
-from linkwright.kernels.listing import Listing, P, Value, X, spelled
+from linkwright.kernels.listing import Listing, P, Value, X, number_text
 from linkwright.kernels.operations import operation
 
 LANES = (128, 64, 32)
@@ -224,7 +224,7 @@ class _Block:
         def operand(i: int) -> str:
             value = self.listing.values[i]
             if value.constant:
-                return spelled(value.number)
+                return number_text(value.number)
             if self.chunk_of.get(i) != (place, n):
                 if place == SCALAR or self.places[i] == SCALAR:
                     heads[i] = f"c[{self.source.scalars['v', self.tag, i]}]"
@@ -260,7 +260,7 @@ class _Block:
         if value.source is not None:  # a parameter of the sample
             return f"p[{value.source[1]} * pr + s]"
         name, args = operation(value.op).name, [operand(i) for i in _operands(value)]
-        if name == "power" and (power := _whole(self.listing.values[value.args[1]])) is not None:
+        if name == "power" and (power := _integer_power(self.listing.values[value.args[1]])) is not None:
             args[1] = power  # a whole power is multiplied out
         if name in OPERATORS:
             return OPERATORS[name].format(*args)
@@ -268,7 +268,7 @@ class _Block:
         return f"{CALLS[name]}({', '.join(args)})"
 
 
-def _whole(value: Value) -> str | None:
+def _integer_power(value: Value) -> str | None:
     """A whole power of few factors as text."""
     known = value.constant and value.number.is_integer() and 0 < value.number <= 32
     return str(int(value.number)) if known else None

@@ -112,7 +112,7 @@ class Varied:
     def kernel(self, signals: Sequence[Named], rates: bool = False, kernel: str = "numpy") -> Kernel:
         """The kernel of some signals or other rows, kept."""
         key = (tuple(signals), rates, kernel)
-        return _kept(self._kernels, key, lambda: KERNELS[kernel](self.graph.program(*key[:2])))
+        return _made_once(self._kernels, key, lambda: KERNELS[kernel](self.graph.program(*key[:2])))
 
     def evaluate(
         self,
@@ -130,7 +130,9 @@ class Varied:
         """
         return self._evaluate(self.kernel(signals, rates, kernel), p, np.asarray(t, dtype=float), out)
 
-    def at(self, signals: Sequence[Named], p: Array, t: Array, rates: bool = False, kernel: str = "numpy") -> Array:
+    def signals_at(
+        self, signals: Sequence[Named], p: Array, t: Array, rates: bool = False, kernel: str = "numpy"
+    ) -> Array:
         """Signals of each sample at its own times ``t`` (samples, times): (signals, samples, times), or with rates
         (signals, 2, samples, times)."""
         found = self._evaluate(self.kernel(signals, rates, kernel), p, np.asarray(t, dtype=float), None)
@@ -166,7 +168,7 @@ class Varied:
         if out is None:
             out = np.empty((len(kernel.program.outputs), samples, times))
         used = kernel.program.used[0]
-        if t.ndim == 1 and not self._own(used):
+        if t.ndim == 1 and not self._has_own_inputs(used):
             kernel.over(self._drives(p, t, used=used), p, out)
         else:
             self._gather(p, used, kernel.name)
@@ -176,7 +178,7 @@ class Varied:
         out[:, np.isnan(p).any(axis=0)] = np.nan
         return out
 
-    def _own(self, used: frozenset[int]) -> bool:
+    def _has_own_inputs(self, used: frozenset[int]) -> bool:
         """Whether samples have used inputs of their own."""
         laws = any(law.names & self.varying for law in self.compiled.laws.values())
         return laws or any(row >= self.graph.first_unknown for row in used)
@@ -222,7 +224,7 @@ class Varied:
         higher_groups = self.compiled.structure.higher_groups
         if not higher_groups or not any(row >= self.graph.first_unknown for row in used):
             return None
-        return _kept(self._pursued, kernel, lambda: self._pursuing(kernel))
+        return _made_once(self._pursued, kernel, lambda: self._pursuing(kernel))
 
     def _pursuing(self, kernel: str) -> Pursued:
         """What follows the higher groups with a kernel."""
@@ -234,7 +236,7 @@ class Varied:
     def _supply(self, x: Array, p: Array, t: Array, kernel: str) -> None:
         """Put the inputs of acting elements and followers into those of the motion."""
         tables = self.compiled.tables
-        supply = _kept(self._supplies, kernel, lambda: Supply(self.graph, tables, kernel, self.compiled.laws))
+        supply = _made_once(self._supplies, kernel, lambda: Supply(self.graph, tables, kernel, self.compiled.laws))
         quantities = self.compiled.quantities
         x[supply.first :] = 0.0
         if "t" in supply.rows:
@@ -247,7 +249,7 @@ class Varied:
             )
         given = dict(zip(self.row, p[:, :, None], strict=True))
         supply.look_up(x, lambda of: of.over(x, p), given)
-        supply.ride(x, given)
+        supply.fill_follower_inputs(x, given)
 
 
 def _altered(quantities: Quantities, name: str) -> Quantities:
@@ -256,7 +258,7 @@ def _altered(quantities: Quantities, name: str) -> Quantities:
     return Sampled(quantities, {name: np.array([value + 1e-3 * (abs(value) or 1.0)])}, 1)
 
 
-def _kept(made: dict[Key, Made], key: Key, make: Callable[[], Made]) -> Made:
+def _made_once(made: dict[Key, Made], key: Key, make: Callable[[], Made]) -> Made:
     """What is made once for a key."""
     if key not in made:
         with _MAKING:

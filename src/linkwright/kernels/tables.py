@@ -26,7 +26,7 @@ CLOSE = 1e-9
 @dataclass(frozen=True)
 class StatedTable(TableLaw):
     """A table at the ``nominal`` parameters; ``values`` are the expressions of its points' values that hold some, by
-    the points' numbers. At others :meth:`given` asks."""
+    the points' numbers. At others :meth:`at_parameters` gives it."""
 
     values: Mapping[int, Node] = field(default_factory=dict)
     nominal: Mapping[str, float] = field(default_factory=dict)
@@ -37,7 +37,7 @@ class StatedTable(TableLaw):
         """The parameters on which it depends."""
         return frozenset(name for node in self.values.values() for name in names_in(node)) & self.nominal.keys()
 
-    def given(self, parameters: Parameters) -> TableLaw | Given:
+    def at_parameters(self, parameters: Parameters) -> TableLaw | Given:
         """At other parameters: floats, arrays that broadcast with the arguments, or duals."""
         if not self.values or parameters is self.nominal:
             return self
@@ -49,12 +49,12 @@ class StatedTable(TableLaw):
         """The spline that is 1 at a point and 0 at the others."""
         if point not in self._shares:
             y = np.zeros_like(self.y)
-            y[[point, -1] if point == 0 and self.whole else point] = 1.0
+            y[[point, -1] if point == 0 and self.covers_period else point] = 1.0
             self._shares[point] = TableLaw(self.x, y, self.degree, self.period)
         return self._shares[point]
 
     @property
-    def whole(self) -> bool:
+    def covers_period(self) -> bool:
         """Whether its points go over a whole period, so that the last value is the first."""
         return self.period is not None and bool(np.isclose(self.x[-1] - self.x[0], self.period, rtol=1e-12))
 
@@ -82,7 +82,7 @@ class Given:
         found: Jet = getattr(self.table, what)(x)
         last = len(self.table.y) - 1
         for point, more in self.more.items():
-            if point != last or not self.table.whole:
+            if point != last or not self.table.covers_period:
                 found = found + getattr(self.table.share(point), what)(x) * more
         return found
 

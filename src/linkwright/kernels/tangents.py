@@ -25,7 +25,7 @@ MOST = 1 << 18
 class Tangents:
     """Derivatives along ``directions`` (parameters, n) in parameter space, SI, and by the ``plays`` of joints (see
     :class:`linkwright.graph.geometry.Geometry`), which count as further directions; at the nominal parameters, or by
-    :meth:`moved` at others."""
+    :meth:`at_parameters` at others."""
 
     def __init__(self, compiled: Compiled, directions: Array, plays: Sequence[str] = (), kernel: str = "numpy") -> None:
         self.compiled, self.graph, self.plays, self.kernel = compiled, compiled.graph, tuple(plays), kernel
@@ -43,7 +43,7 @@ class Tangents:
         """The parameters with each direction: (2 parameters + plays, directions)."""
         return np.concatenate([np.repeat(self.parameters[:, None], self.count, axis=1), along])
 
-    def moved(self, parameters: Array, directions: Array | None = None) -> Tangents:
+    def at_parameters(self, parameters: Array, directions: Array | None = None) -> Tangents:
         """The same at other parameters (parameters,), as :meth:`Varied.parameters` gives them, and along other
         ``directions`` where parameters follow the deviations by expressions that aren't linear; branches stay."""
         other = copy(self)
@@ -57,7 +57,7 @@ class Tangents:
         other.along, other.p = along[: len(parameters)], other._with(along)
         return other
 
-    def given(self) -> dict[str, float | Dual]:
+    def parameter_values(self) -> dict[str, float | Dual]:
         """All parameters by name, those that some direction changes with their slopes: (directions, 1). Plays too."""
         rows = zip(self.graph.parameters, self.parameters.tolist(), self.along, strict=True)
         own: dict[str, float | Dual]
@@ -94,7 +94,7 @@ class Tangents:
         graph, size = self.graph, len(self.graph.inputs)
         x = np.zeros((2 * size, self.count, t.size))
         x[:size] = self._own_inputs(t)[:, None, :]
-        given = self.given()
+        given = self.parameter_values()
         for i, drive in enumerate(graph.drives):
             law = self.compiled.laws[drive]
             asked = law.names | (law.plays & {*self.plays})
@@ -124,7 +124,7 @@ class Tangents:
             y = self._engine(tuple(map(TableArgument, which)), True).over(x, self.p)
             for i, (value, rate, slope, twist) in zip(which, y.reshape(len(which), 4, *x.shape[1:]), strict=True):
                 lookup = graph.actions.lookups[i]
-                table = supply.tables[lookup.table].given(given)
+                table = supply.tables[lookup.table].at_parameters(given)
                 ask = table.integral if lookup.integral else table.or_nan
                 answers = ask(Jet([Dual(value, slope), Dual(rate, twist)])).d
                 for k, answer in enumerate(answers):

@@ -42,11 +42,11 @@ def spread(kernel: Kernel, x: Array, p: Array, out: Array | None = None, workers
         out = np.empty((len(kernel.program.outputs), poses))
     parts = stretches(poses, workers or (processors() if kernel.scales else 1))
 
-    def one(part: slice) -> None:
+    def run_part(part: slice) -> None:
         kernel.run(x[:, part], p if p.ndim == 1 else p[:, part], out[:, part])
 
     if len(parts) == 1:
-        one(parts[0])
+        run_part(parts[0])
     else:
-        list(pool(len(parts)).map(one, parts))
+        list(pool(len(parts)).map(run_part, parts))
     return out

@@ -123,16 +123,16 @@ class Curve:
         slopes = any(isinstance(number, Dual) for piece in pieces for number in piece.numbers)
         return None if slopes or len(pieces) < len(self.parts) else Stack(pieces)
 
-    def moved(self, offset: Scalar, width: Scalar, scale: Scalar = 1.0, base: Scalar = 0.0) -> Curve:
+    def transformed(self, offset: Scalar, width: Scalar, scale: Scalar = 1.0, base: Scalar = 0.0) -> Curve:
         """``base + scale * curve((x - offset) / width)``; a negative width runs it backwards."""
-        parts = tuple(part.moved(offset, width, scale, base) for part in self.parts)
+        parts = tuple(part.transformed(offset, width, scale, base) for part in self.parts)
         return Curve(parts[::-1] if backward(width) else parts)
 
     def pieces(self, x: str = "x") -> tuple[tuple[float, float, str], ...]:
         """Start, stop and formula of each piece."""
         return tuple((part.start, part.stop, part.text(x)) for part in self.parts)
 
-    def ends(self) -> tuple[tuple[Scalar, ...], tuple[Scalar, ...]]:
+    def end_derivatives(self) -> tuple[tuple[Scalar, ...], tuple[Scalar, ...]]:
         """The derivatives 0 to :data:`SMOOTH` at the start and at the end."""
         return rates(self.parts[0], self.start), rates(self.parts[-1], self.stop)
 
@@ -194,10 +194,10 @@ class Curve:
 def composed(x: Jet, at: Any, order: int = 0) -> Jet:
     """A function of a jet from ``at(places, order)``, the function's derivatives; the jet's entries and what the
     function gives may be duals."""
-    return x.chain(followed(x.d[0], at, order), lambda low: composed(low, at, order + 1))
+    return x.chain(evaluate_chained(x.d[0], at, order), lambda low: composed(low, at, order + 1))
 
 
-def followed(x: Any, at: Any, order: int) -> Any:
+def evaluate_chained(x: Any, at: Any, order: int) -> Any:
     """``at(places, order)`` where the places may be duals or enclosures."""
     if hasattr(x, "along"):
         return at(x, order)

@@ -11,7 +11,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.laws.curve import ROUND_OFF, SMOOTH, Curve, Extreme, Join, composed, followed, rates
+from linkwright.laws.curve import ROUND_OFF, SMOOTH, Curve, Extreme, Join, composed, evaluate_chained, rates
 from linkwright.laws.numbers import first, off, plain
 from linkwright.laws.pieces import SmoothPart
 from linkwright.laws.segments import MotionError, MotionFault, Segment
@@ -79,14 +79,14 @@ class Motion:
     def _spread(self, x: Array, order: int) -> Any:
         """The same with a period that may be other in each sample, or have slopes."""
         if self.beyond == "hold":
-            found = followed(_held(x, self.period), self.curve.at, order)
+            found = evaluate_chained(_clamped(x, self.period), self.curve.at, order)
             inside = (x >= 0) & (x <= value_of(self.period))
             return found if order == 0 else call("where", inside, found, np.where(np.isnan(x), np.nan, 0.0))
         with np.errstate(invalid="ignore"):
             whole = np.floor_divide(x, value_of(self.period))
         near = np.abs(whole) < FAR
-        within = _held(x - np.where(near, whole, 0.0) * self.period, self.period)
-        found = call("where", near, followed(within, self.curve.at, order), np.nan)
+        within = _clamped(x - np.where(near, whole, 0.0) * self.period, self.period)
+        found = call("where", near, evaluate_chained(within, self.curve.at, order), np.nan)
         return found + whole * self.advance if self.beyond == "advance" and order == 0 else found
 
     def __call__(self, x: Any) -> Any:
@@ -106,14 +106,14 @@ class Motion:
 
         Of a motion over an angle, at w rad/s: with ``axis = w`` one over the time.
         """
-        curve = self.curve.moved(0.0, 1 / axis, 1 / value)
+        curve = self.curve.transformed(0.0, 1 / axis, 1 / value)
         return Motion(curve, tuple(place / axis for place in self.places), self.beyond)
 
     @cached_property
     def joins(self) -> tuple[Join, ...]:
         """All joins of pieces, that from the end to the start among them, or those with the rest outside."""
         curve = self.curve
-        first, last = curve.ends()
+        first, last = curve.end_derivatives()
         if self.beyond == "hold":
             still = (0.0,) * SMOOTH
             ends = [
@@ -140,7 +140,7 @@ class Motion:
         return self.curve.extremes(order)
 
 
-def _held(x: Any, period: Scalar) -> Any:
+def _clamped(x: Any, period: Scalar) -> Any:
     """Places within a period."""
     return call("fmin", call("fmax", x, 0.0), period)
 
@@ -158,7 +158,7 @@ def motion(
     """
     if checked:
         _check_each(segments)
-    ends, unsettled = _ends(segments, beyond)
+    ends, unsettled = _end_rates(segments, beyond)
     if checked:
         _raise([*_unequal(segments, start, period, beyond), *unsettled])
     heights = [*accumulate((segment.lift for segment in segments), initial=start)]
@@ -166,7 +166,7 @@ def motion(
     if period is not None:
         places[-1] = period
     curves = [
-        segment.curve(*asked).moved(at, 1.0, 1.0, height)
+        segment.curve(*asked).transformed(at, 1.0, 1.0, height)
         for segment, asked, at, height in zip(segments, ends, places, heights, strict=False)
     ]
     made = Motion(Curve(tuple(part for curve in curves for part in curve.parts)), tuple(places), beyond)
@@ -217,7 +217,7 @@ def _most(values: Iterable[Any], sign: int = 1) -> Any:
     return reduce(np.maximum if sign > 0 else np.minimum, values)
 
 
-def _ends(
+def _end_rates(
     segments: Sequence[Segment], beyond: Beyond
 ) -> tuple[list[tuple[tuple[Scalar, ...], tuple[Scalar, ...]]], list[MotionFault]]:
     """The rates that each segment asks for at both ends, those of its neighbours where it leaves them open."""
@@ -229,7 +229,7 @@ def _ends(
         if any(rate is None for end in segment.open for rate in end):
             known.append([{k: r for k, r in enumerate(end, start=1) if r is not None} for end in segment.open])
         else:
-            known.append([dict(enumerate(end[1:], start=1)) for end in segment.curve(*own).ends()])
+            known.append([dict(enumerate(end[1:], start=1)) for end in segment.curve(*own).end_derivatives()])
     count = len(segments)
     at_rest = dict.fromkeys(range(1, SMOOTH + 1), 0.0)
     found, faults = [], []

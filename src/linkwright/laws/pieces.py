@@ -41,7 +41,7 @@ class SmoothPart(Protocol):
     def at(self, x: Any, order: int) -> Any:
         """A derivative by the argument; order 0 is the value. The argument may be a number of the law's own."""
 
-    def moved(self, offset: Scalar, width: Scalar, scale: Scalar, base: Scalar) -> SmoothPart:
+    def transformed(self, offset: Scalar, width: Scalar, scale: Scalar, base: Scalar) -> SmoothPart:
         """``base + scale * part((x - offset) / width)``; a negative width runs it backwards."""
 
     def text(self, x: str) -> str:
@@ -93,7 +93,7 @@ class Piece:
             total = total + (-size if quarter > 1 else size) * call(function, np.pi * (rate * z))
         return total
 
-    def moved(self, offset: Scalar, width: Scalar, scale: Scalar, base: Scalar) -> Piece:
+    def transformed(self, offset: Scalar, width: Scalar, scale: Scalar, base: Scalar) -> Piece:
         turned = -1.0 if backward(width) else 1.0
         start, stop = (offset + width * end for end in (self.start, self.stop)[:: int(turned)])
         powers = [scale * c / width**i for i, c in enumerate(self.powers)] or [0.0]
@@ -175,13 +175,13 @@ class Formula:
         start = Dual(like, u.slope) if isinstance(u, Dual) else like
         jet = Jet([start, np.ones_like(like), *[np.zeros_like(like)] * max(0, order - 1)])
         with np.errstate(all="ignore"):
-            value = self.function(jet.cut(order)).d[order]
+            value = self.function(jet.truncated(order)).d[order]
         if self.plain:
             value = np.broadcast_to(np.asarray(value, dtype=float), like.shape)
         found = self.scale / self.width**order * value
         return found + self.base if order == 0 else found
 
-    def moved(self, offset: Scalar, width: Scalar, scale: Scalar, base: Scalar) -> Formula:
+    def transformed(self, offset: Scalar, width: Scalar, scale: Scalar, base: Scalar) -> Formula:
         return Formula(
             self.function,
             self.words,

@@ -33,7 +33,7 @@ class Law(Curve):
         0 is a jump of the velocity, 1 of the acceleration, 2 of the jerk.
         """
         inside = min((join.continuity for join in self.joins()), default=SMOOTH)
-        start, stop = (self._at_dwell(end) for end in self.ends())
+        start, stop = (self._at_dwell(end) for end in self.end_derivatives())
         return start, inside, stop
 
     def _at_dwell(self, end: Sequence[float]) -> int:
@@ -59,8 +59,8 @@ class Law(Curve):
         p, q = share, 1 - share
         before = [cut for part in self.parts if (cut := clipped(part, 0.0, 0.5))]
         behind = [cut for part in self.parts if (cut := clipped(part, 0.5, 1.0))]
-        first = [part.moved(0.0, 2 * p, 2 * p, 0.0) for part in before]
-        second = [part.moved(1 - 2 * q, 2 * q, 2 * q, 1 - 2 * q) for part in behind]
+        first = [part.transformed(0.0, 2 * p, 2 * p, 0.0) for part in before]
+        second = [part.transformed(1 - 2 * q, 2 * q, 2 * q, 1 - 2 * q) for part in behind]
         return Law((*first, *second), self.name, self.mirrored)
 
     @property

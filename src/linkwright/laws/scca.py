@@ -73,7 +73,7 @@ def scca_by_widths(*widths: Scalar) -> Curve:
         speed = speed + size * width * (1.0 if kind is None else 2 / math.pi)
         value = settled(piece.at(np.asarray(at + width) if plain(at + width) else at + width, 0))
         at = at + width
-    return Curve(tuple(pieces)).moved(0.0, 1.0, 1 / value)
+    return Curve(tuple(pieces)).transformed(0.0, 1.0, 1 / value)
 
 
 def _gain(widths: Sequence[Scalar]) -> Scalar:

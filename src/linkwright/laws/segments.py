@@ -112,8 +112,8 @@ class Rise:
 
     def curve(self, start: Sequence[Scalar], end: Sequence[Scalar]) -> Curve:
         if self.fall:
-            return self.law.moved(self.over, -self.over, -self.lift, self.lift)
-        return self.law.moved(0.0, self.over, self.lift)
+            return self.law.transformed(self.over, -self.over, -self.lift, self.lift)
+        return self.law.transformed(0.0, self.over, self.lift)
 
 
 @dataclass(frozen=True)
@@ -157,7 +157,7 @@ class Blend:
         conditions = [(0.0, 0, 0.0), (1.0, 0, self.lift), *((x / self.over, 0, y) for x, y in self.via)]
         for place, given in ((0.0, start), (1.0, end)):
             conditions += [(place, order, rate * self.over**order) for order, rate in enumerate(given, start=1)]
-        return polynomial(conditions).moved(0.0, self.over)
+        return polynomial(conditions).transformed(0.0, self.over)
 
 
 @dataclass(frozen=True)
@@ -172,13 +172,13 @@ class Shape:
 
     @property
     def lift(self) -> Scalar:
-        return self._end(1) - self._end(0) if self.rise is None else self.rise
+        return self._end_value(1) - self._end_value(0) if self.rise is None else self.rise
 
-    def _end(self, side: int) -> Scalar:
+    def _end_value(self, side: int) -> Scalar:
         return settled(self.shape.parts[-side].at(np.asarray(float(side)), 0))
 
     def faults(self, number: int) -> list[MotionFault]:
         return []
 
     def curve(self, start: Sequence[Scalar], end: Sequence[Scalar]) -> Curve:
-        return self.shape.moved(0.0, self.over, 1.0, -self._end(0))
+        return self.shape.transformed(0.0, self.over, 1.0, -self._end_value(0))

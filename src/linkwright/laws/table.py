@@ -80,7 +80,7 @@ class TableLaw:
             each = whole(self.x[0] + self.period) - whole(self.x[0])
             value = value + each * np.floor_divide(given - self.x[0], self.period)
         if isinstance(x.d[0], Dual):
-            value = Dual(value, self._at(self._within(given), 0) * x.d[0].slope)
+            value = Dual(value, self._derivative_at(self._within(given), 0) * x.d[0].slope)
         return x.chain(value, self.or_nan)
 
     def powers(self) -> tuple[Array, Array]:
@@ -102,14 +102,14 @@ class TableLaw:
         inside = (at >= self.x[0] - slack) & (at <= self.x[-1] + slack)
         return np.where(inside, np.clip(at, self.x[0], self.x[-1]), np.nan)
 
-    def _at(self, at: Array, order: int) -> Array:
+    def _derivative_at(self, at: Array, order: int) -> Array:
         """A derivative by the argument."""
         return self._spline(at, nu=order) if order <= self.degree else np.zeros_like(at)
 
     def _compose(self, x: Jet, at: Array, order: int) -> Jet:
-        value: Any = self._at(at, order)
+        value: Any = self._derivative_at(at, order)
         if isinstance(x.d[0], Dual):
-            value = Dual(value, self._at(at, order + 1) * x.d[0].slope)
+            value = Dual(value, self._derivative_at(at, order + 1) * x.d[0].slope)
         return x.chain(value, lambda low: self._compose(low, at, order + 1))
 
 

@@ -1,6 +1,6 @@
 """Measures: numbers taken of a run, with the places where expressions break, searches, grades and their check."""
 
-from linkwright.measures.bound_measure import BoundMeasure, bound
+from linkwright.measures.bound_measure import BoundMeasure, bound_measures
 from linkwright.measures.check import misfit
 from linkwright.measures.enclosed import enclose
 from linkwright.measures.found import MeasureResult
@@ -15,7 +15,7 @@ __all__ = [
     "Probe",
     "Search",
     "SignalInRun",
-    "bound",
+    "bound_measures",
     "enclose",
     "measure_all",
     "misfit",

@@ -30,7 +30,7 @@ class BoundMeasure:
     path: tuple[str | int, ...] = field(kw_only=True)
 
     @classmethod
-    def stated(cls, quantities: Quantities, name: str) -> BoundMeasure:
+    def of_name(cls, quantities: Quantities, name: str) -> BoundMeasure:
         """A measure of the mechanism by its name."""
         mechanism, dimensions = quantities.mechanism, quantities.dimensions
         entry = mechanism.measures[name]
@@ -43,7 +43,7 @@ class BoundMeasure:
         return cls(name, entry, dimension, trees, window, requirement, path=("measures", name))
 
     @classmethod
-    def made(
+    def of_entry(
         cls, quantities: Quantities, name: str, entry: Measure, window: BoundWindow | None, path: tuple[str | int, ...]
     ) -> BoundMeasure:
         """A measure of signals that stands in no file."""
@@ -86,7 +86,7 @@ class BoundMeasure:
         with np.errstate(invalid="ignore"):
             return low + (value - low) % (high - low)
 
-    def met(self, quantities: Quantities, figures: Iterable[Any]) -> Any:
+    def requirement_met(self, quantities: Quantities, figures: Iterable[Any]) -> Any:
         """Whether figures, or those of each sample, meet the requirement; NaN doesn't."""
         assert self.requirement is not None
         low, high = (
@@ -96,10 +96,10 @@ class BoundMeasure:
         return np.logical_and.reduce([(low <= value) & (value <= high) for value in figures])
 
 
-def bound(quantities: Quantities, names: Sequence[str] | None = None) -> list[BoundMeasure]:
+def bound_measures(quantities: Quantities, names: Sequence[str] | None = None) -> list[BoundMeasure]:
     """Measures of the mechanism by their names, or all."""
     wanted = quantities.mechanism.measures if names is None else names
-    return [BoundMeasure.stated(quantities, name) for name in wanted]
+    return [BoundMeasure.of_name(quantities, name) for name in wanted]
 
 
 def _others(quantities: Quantities, entry: Measure) -> dict[str, Node]:

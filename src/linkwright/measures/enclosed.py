@@ -59,7 +59,7 @@ def _claim(measurer: Measurer, result: MeasureResult) -> Claim | None:
 def _graded(result: MeasureResult, proof: Proof | None) -> MeasureResult:
     if proof is None:
         return result
-    if proof.done:
+    if proof.is_proven:
         return replace(result, found=tuple(replace(found, grade=Grade(ProofKind.ENCLOSED)) for found in result.found))
     grades = (replace(found, grade=replace(found.grade, reason=proof.reason)) for found in result.found)
     return replace(result, found=tuple(grades))

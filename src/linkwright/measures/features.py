@@ -47,7 +47,7 @@ def features(node: Node, find: Find) -> list[Feature]:
     """The break functions of an expression, inner ones before those that contain them, each once."""
     found: dict[Feature, None] = {}
     for part in _inner_first(node):
-        for feature in _own(part, find):
+        for feature in _own_features(part, find):
             if varies(feature.node):
                 found[feature] = None
     return [*found]
@@ -84,7 +84,7 @@ def _inner_first(node: Node) -> Iterator[Node]:
     yield node
 
 
-def _own(node: Node, find: Find) -> Iterator[Feature]:
+def _own_features(node: Node, find: Find) -> Iterator[Feature]:
     """The break functions of a node alone, without those of its operands."""
     if is_signal(node):
         assert isinstance(node, Name | Call)

@@ -11,10 +11,10 @@ import numpy as np
 from linkwright.expressions.language import Node
 from linkwright.expressions.units import TIME
 from linkwright.findings import Finding
-from linkwright.measures.bound_measure import BoundMeasure, bound
+from linkwright.measures.bound_measure import BoundMeasure, bound_measures
 from linkwright.measures.found import MeasureResult
 from linkwright.measures.probe import Probe, Search
-from linkwright.measures.signal_in_run import SignalInRun, whole
+from linkwright.measures.signal_in_run import SignalInRun, require_bounded
 from linkwright.model.bound_window import BoundWindow
 from linkwright.reductions import FoundFigure, Unmeasured
 from linkwright.results import Run
@@ -32,7 +32,7 @@ class Measurer:
     _probes: dict[tuple[Node, BoundWindow | None], Probe] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        every = bound(self.run.compiled.quantities) if self.measures is None else self.measures
+        every = bound_measures(self.run.compiled.quantities) if self.measures is None else self.measures
         self.by_name = {measure.name: measure for measure in every}
 
     @cached_property
@@ -57,13 +57,13 @@ class Measurer:
 
     def all(self) -> list[MeasureResult]:
         """Every measure, in their order."""
-        return [self.one(measure) for measure in self.by_name.values()]
+        return [self.evaluate(measure) for measure in self.by_name.values()]
 
-    def one(self, measure: BoundMeasure) -> MeasureResult:
+    def evaluate(self, measure: BoundMeasure) -> MeasureResult:
         """One measure; what it lacks is a finding."""
         quantities, found = self.run.compiled.quantities, tuple[FoundFigure, ...]()
         try:
-            found = self.found(measure)
+            found = self.figures_of(measure)
         except Unmeasured as why:
             self._flag(why.code, measure, why.time)
         if far := [one for one in found if one.unbounded]:
@@ -73,7 +73,7 @@ class Measurer:
         if measure.requirement is not None:
             # One that couldn't be measured is not met, an unbounded one where the requirement bounds that side.
             requirement = str(measure.requirement.raw)
-            verdict = bool(found) and bool(measure.met(quantities, [one.value for one in found]))
+            verdict = bool(found) and bool(measure.requirement_met(quantities, [one.value for one in found]))
         unit = measure.unit(quantities)
         return MeasureResult(measure.name, measure.entry, measure.dimension, *unit, found, requirement, verdict)
 
@@ -84,12 +84,12 @@ class Measurer:
             raise Unmeasured("measure.nothing")
         return SignalInRun(probe, measure.entry, lambda key: self.probe(measure, key))
 
-    def found(self, measure: BoundMeasure) -> tuple[FoundFigure, ...]:
+    def figures_of(self, measure: BoundMeasure) -> tuple[FoundFigure, ...]:
         """The numbers of a measure. Raises :class:`Unmeasured` where it has none."""
         kind, reading = measure.kind, self.reading(measure)
         if kind.everywhere:
-            whole(reading.probe)
-        found = kind.found(reading)
+            require_bounded(reading.probe)
+        found = kind.run_figures(reading)
         if any(np.isnan(one.value) for one in found):
             raise Unmeasured("measure.not-finite")
         if not reading.settled:

@@ -78,7 +78,7 @@ class Search:
         for some in groups.values():
             sides = Sides(self.run, node, some[0].features)
             times = np.array([hard.time for hard in some])
-            for hard, before, after in zip(some, sides.at(times, -1), sides.at(times, 1), strict=True):
+            for hard, before, after in zip(some, sides.limits_at(times, -1), sides.limits_at(times, 1), strict=True):
                 if before[1] or after[1]:
                     found.append(OneSidedLimits(hard.time, before[0], after[0]))
         return found
@@ -161,10 +161,13 @@ class Probe:
         for place in self.limits:
             # Limits from both sides of each place, as far as that side lies in an interval.
             for name, side, sign in (("before", place.before, -1), ("after", place.after, 1)):
-                if any(place.time - a > sharp if sign < 0 else b - place.time > sharp for a, b in self._at(place.time)):
+                if any(
+                    place.time - a > sharp if sign < 0 else b - place.time > sharp
+                    for a, b in self._intervals_at(place.time)
+                ):
                     found.append(Peak(side.value, place.time, name))
                 # Where cancellation spoils values near a removable singularity, take the germ's values.
-                for a, b in self._at(place.time) if side.removable else ():
+                for a, b in self._intervals_at(place.time) if side.removable else ():
                     s, values = side.near(place.time - a if sign < 0 else b - place.time)
                     t = place.time + sign * s
                     found += [Peak(v, at, "") for v, at in zip(values.tolist(), t.tolist(), strict=True)]
@@ -190,7 +193,7 @@ class Probe:
                 ]
         return found
 
-    def _at(self, time: float) -> list[Interval]:
+    def _intervals_at(self, time: float) -> list[Interval]:
         """The intervals in which a time lies, or at whose ends it is."""
         return [(a, b) for a, b in self.intervals if a - self.near <= time <= b + self.near]
 

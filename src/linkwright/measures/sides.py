@@ -130,14 +130,14 @@ class Sides:
             for child in children(node):
                 self._collect(child)
 
-    def at(self, times: Array, side: int) -> list[tuple[Side, bool]]:
+    def limits_at(self, times: Array, side: int) -> list[tuple[Side, bool]]:
         """Towards each time from before (-1) or after (1): the limit, and whether any break function vanishes there."""
         if not times.size:
             return []
         fits = self._fitted(times, side)
-        return [self._one(float(t), side, *fits[i]) for i, t in enumerate(times)]
+        return [self._limit_at(float(t), side, *fits[i]) for i, t in enumerate(times)]
 
-    def _one(self, time: float, side: int, atoms: dict[Node, Germ], reach: float) -> tuple[Side, bool]:
+    def _limit_at(self, time: float, side: int, atoms: dict[Node, Germ], reach: float) -> tuple[Side, bool]:
         try:
             with np.errstate(all="ignore"):
                 # First: does any break function vanish here on this side? If none does, the expression is smooth and
@@ -213,7 +213,7 @@ class Sides:
         """The atoms' germs at each time with the stretch (s) that they hold on, cut down until a polynomial fits."""
         atoms = list(self.atoms)
         found: list[dict[Node, Germ]] = [{} for _ in times]
-        reach = self._room(times, side)
+        reach = self._fit_lengths(times, side)
         left = np.arange(times.size) if atoms else np.empty(0, dtype=int)
         for attempt in range(NEARER):
             if not left.size:
@@ -261,7 +261,7 @@ class Sides:
         products = [node if (by := self.atoms[node]) is None else Binary("*", node, by) for node in atoms]
         return self.run.all_rates(products, t)
 
-    def _room(self, times: Array, side: int) -> Array:
+    def _fit_lengths(self, times: Array, side: int) -> Array:
         """How far (s) a polynomial may reach: a step of the grid, half the way to the next break of a load or law."""
         run = self.run
         room = np.full(times.size, (run.stop - run.start) / max(run.grid, 64))
@@ -277,7 +277,7 @@ class Sides:
         """The limit from values at distances that are halved, as near as there are values."""
         run = self.run
         # Values at distances that are halved; the differences of the last eight tell how they behave.
-        away = self._room(np.array([time]), side)[0] * 0.5 ** np.arange(LOOKS)
+        away = self._fit_lengths(np.array([time]), side)[0] * 0.5 ** np.arange(LOOKS)
         away = away[away > 1e-12 * (run.stop - run.start)]
         with np.errstate(all="ignore"):
             values = np.asarray(run.jets(self.node, time + side * away).d[0])

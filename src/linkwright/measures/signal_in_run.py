@@ -55,7 +55,7 @@ class SignalInRun:
         """The signal at times, SI."""
         return self.probe.values(t)
 
-    def at(self, time: float) -> Peak:
+    def value_at(self, time: float) -> Peak:
         """The signal at one time, that of its side where the other has no value."""
         value, side = float(self.probe.values(np.array([time]))[0]), ""
         for place in self.probe.limits:
@@ -89,14 +89,14 @@ class SignalInRun:
         quantities = self.probe.run.compiled.quantities
         return quantities.value(expression, quantities.dimensions.dimension(self.measure.signal.node))
 
-    def found(self, label: str, value: float, time: float | None = None, side: str = "") -> FoundFigure:
+    def graded_figure(self, label: str, value: float, time: float | None = None, side: str = "") -> FoundFigure:
         """A figure with the grade of the search."""
         self.settled &= self.probe.search.settled(self.probe.node)
         return FoundFigure(label, value, time, side, self.searched)
 
     def other(self, key: str) -> SignalInRun:
         """Another expression of the measure."""
-        return SignalInRun(whole(self.probes(key)), self.measure, self.probes)
+        return SignalInRun(require_bounded(self.probes(key)), self.measure, self.probes)
 
     def zeros(self, key: str) -> Array:
         """The times (s) at which another expression is zero, of an angle modulo whole turns."""
@@ -132,7 +132,7 @@ class SignalInRun:
         return max(self.probe.run.grid, LEAST)
 
 
-def whole(probe: Probe) -> Probe:
+def require_bounded(probe: Probe) -> Probe:
     """The same. Raises :class:`Unmeasured` for an expression that has no value somewhere, or of which it isn't known
     whether it is bounded."""
     if not probe.finite():

@@ -109,7 +109,7 @@ def _signal(raw: Any) -> str:
     return text
 
 
-def _one(raw: Any) -> Any:
+def _single_signal(raw: Any) -> Any:
     if len(raw) != 1:
         raise fault("window.one-signal", count=len(raw))
     return raw
@@ -117,7 +117,7 @@ def _one(raw: Any) -> Any:
 
 _Signal = Annotated[str, BeforeValidator(_signal), Quantity(lambda c: crossed(c.name), scope=Scope.SIGNALS)]
 _Crossing = Annotated[Interval, Quantity(lambda c: crossed(c.name), ends=Ends.RISING)]
-_BySignal = Annotated[dict[_Signal, _Crossing], BeforeValidator(_one), freeze]
+_BySignal = Annotated[dict[_Signal, _Crossing], BeforeValidator(_single_signal), freeze]
 
 Window = Annotated[
     Annotated[Interval, Quantity(TIME, ends=Ends.RISING), Tag("time")] | Annotated[_BySignal, Tag("signal")],

@@ -35,8 +35,8 @@ class Builder:
         source: str | None = None,
     ) -> None:
         units = {"length": length, "angle": angle, "mass": mass, "time": time, "force": force, "torque": torque}
-        self._data: dict[str, Any] = _given(
-            linkwright=VERSION, name=name, note=note, source=source, units=_given(**units, pressure=pressure)
+        self._data: dict[str, Any] = _without_none(
+            linkwright=VERSION, name=name, note=note, source=source, units=_without_none(**units, pressure=pressure)
         )
         self._twice: list[Finding] = []
 
@@ -44,23 +44,23 @@ class Builder:
         """A named value; ``tolerance`` is one number for plus and minus, ``[lower, upper]``, a class, or a
         mapping, as in the file."""
         if tolerance is None and note is None:
-            return self._put("parameters", name, value)
-        return self._put("parameters", name, _given(value=value, tolerance=tolerance, note=note))
+            return self._add_entry("parameters", name, value)
+        return self._add_entry("parameters", name, _without_none(value=value, tolerance=tolerance, note=note))
 
     def sketch(self, places: Mapping[str, Point] | None = None, **more: Point) -> Self:
         """The places of points in the frame, at the start of the motion, instead of lengths."""
         for name, place in {**(places or {}), **more}.items():
-            self._put("sketch", name, place)
+            self._add_entry("sketch", name, place)
         return self
 
     def plane(self, axes: str | None = None, *, normal: Iterable[float] | None = None, within: Any = None) -> Self:
         """The plane of a sketch of three coordinates: two axes of the vehicle such as ``"xz"``, or its normal."""
-        self._data["plane"] = _given(axes=axes, normal=None if normal is None else [*normal], within=within)
+        self._data["plane"] = _without_none(axes=axes, normal=None if normal is None else [*normal], within=within)
         return self
 
     def frame(self, points: Points = None, **more: Point) -> Self:
         """The link that doesn't move, with its points."""
-        return self._put("links", "frame", {"points": _points(points, more)})
+        return self._add_entry("links", "frame", {"points": _points(points, more)})
 
     def link(
         self,
@@ -74,23 +74,23 @@ class Builder:
         **more: Point,
     ) -> Self:
         """A moving link. Points are given as a mapping, by name (``B=["AB", 0]``), or as a list of sketched ones."""
-        rest = _given(mass=mass, com=com, inertia=inertia, shape=shape)
-        return self._put("links", name, {"points": _points(points, more), **rest})
+        rest = _without_none(mass=mass, com=com, inertia=inertia, shape=shape)
+        return self._add_entry("links", name, {"points": _points(points, more), **rest})
 
     def prismatic(self, name: str, first: tuple[str, str], second: tuple[str, str], travel: Any = None) -> Self:
         """A slide: of each of two links its name and its line, such as ``("guide", "G at 90 deg")``; ``travel`` is the
         allowed range ``[lowest, highest]`` of the signal ``NAME.s``."""
         joint = {"prismatic": [first[0], second[0]], "line": [first[1], second[1]]}
-        return self._put("joints", name, joint | _given(travel=travel))
+        return self._add_entry("joints", name, joint | _without_none(travel=travel))
 
     def revolute(self, name: str, first: tuple[str, str], second: tuple[str, str]) -> Self:
         """A pin between points of different names: of each of two links its name and its point."""
-        return self._put("joints", name, {"revolute": [first[0], second[0]], "at": [first[1], second[1]]})
+        return self._add_entry("joints", name, {"revolute": [first[0], second[0]], "at": [first[1], second[1]]})
 
     def pin_in_slot(self, name: str, first: tuple[str, str], second: str, **slot: Any) -> Self:
         """A pin in a slot: the link that has the pin and its point, and the slotted link; ``slot`` has the keys of a
         file, such as ``straight="C at 0 deg"`` or ``arc={"centre": "M", "radius": 50}``, ``flank`` and ``travel``."""
-        return self._put("joints", name, {"pin_in_slot": [first[0], second], "pin": first[1], **slot})
+        return self._add_entry("joints", name, {"pin_in_slot": [first[0], second], "pin": first[1], **slot})
 
     def cylinder(
         self,
@@ -104,11 +104,13 @@ class Builder:
     ) -> Self:
         """A cylinder from the point ``start`` (barrel) to the point ``end`` (rod); ``barrel`` and ``rod`` say
         their ``mass``, ``com`` and ``inertia``."""
-        return self._put("cylinders", name, _given(**{"from": start}, to=end, length=length, barrel=barrel, rod=rod))
+        return self._add_entry(
+            "cylinders", name, _without_none(**{"from": start}, to=end, length=length, barrel=barrel, rod=rod)
+        )
 
     def assembly(self, point: str, rule: Any) -> Self:
         """On which side a group is put together: ``("C", "left of B-D")``."""
-        return self._put("assembly", point, rule)
+        return self._add_entry("assembly", point, rule)
 
     def drive(
         self,
@@ -128,16 +130,16 @@ class Builder:
         given), or of the cylinder or slide that it ``extends``; with ``output``, the law is that of a prismatic joint,
         or of a link on the frame, which the drive is to move."""
         on = on or (None if extends else "frame")
-        law = _given(turns=turns, slides=slides, extends=extends, on=on, speed=speed, acceleration=acceleration)
-        law |= _given(start=start, position=position, output=output)
-        return self._put("drives", name, law)
+        law = _without_none(turns=turns, slides=slides, extends=extends, on=on, speed=speed, acceleration=acceleration)
+        law |= _without_none(start=start, position=position, output=output)
+        return self._add_entry("drives", name, law)
 
     def cam(self, name: str, *, cam: str, follower: str, base: Any, law: str, on: str = "frame", **more: Any) -> Self:
         """A plate cam on the link ``cam`` and the ``follower`` that rides on it; ``more`` says by what it touches
         (``roller`` and ``at``, ``knife`` or ``face``), ``side``, ``phase``, ``sense``, ``closed``, ``second``, as in a
         file."""
         data = {"cam": cam, "follower": follower, "on": on, "base": base, "law": law}
-        return self._put("cams", name, data | _given(**more))
+        return self._add_entry("cams", name, data | _without_none(**more))
 
     def table(
         self,
@@ -151,7 +153,9 @@ class Builder:
         between: str | None = None,
     ) -> Self:
         """A function given by points ``[x, y]``, or by two columns of a CSV file."""
-        return self._put("tables", name, _given(file=file, points=points, x=x, y=y, period=period, between=between))
+        return self._add_entry(
+            "tables", name, _without_none(file=file, points=points, x=x, y=y, period=period, between=between)
+        )
 
     def law(
         self,
@@ -165,8 +169,8 @@ class Builder:
         beyond: str | None = None,
     ) -> Self:
         """A function ``over`` an angle or time, ``of`` an angle or length, by segments as in the file."""
-        law = _given(over=over, of=of, start=start, period=period, beyond=beyond, segments=segments)
-        return self._put("laws", name, law)
+        law = _without_none(over=over, of=of, start=start, period=period, beyond=beyond, segments=segments)
+        return self._add_entry("laws", name, law)
 
     def load(
         self,
@@ -183,8 +187,8 @@ class Builder:
     ) -> Self:
         """A force ``[Fx, Fy]`` at a point (or one number ``along`` a slide), or a torque, on a link; the opposite acts
         on the link ``against``, if one is named."""
-        data = _given(on=on, against=against, at=at, force=force, along=along, torque=torque, window=window)
-        return self._put("loads", name, data | ({"in": in_} if in_ is not None else {}))
+        data = _without_none(on=on, against=against, at=at, force=force, along=along, torque=torque, window=window)
+        return self._add_entry("loads", name, data | ({"in": in_} if in_ is not None else {}))
 
     def spring(
         self,
@@ -202,23 +206,23 @@ class Builder:
         ``law`` is as in the file: ``stiffness`` and ``free``, ``damping``, ``gas`` and ``progression``, ...
         """
         ends = {"from": from_, "to": to, "in": in_, "turns": turns, "on": on}
-        return self._put("springs", name, _given(**ends, **law))
+        return self._add_entry("springs", name, _without_none(**ends, **law))
 
     def counterweight(self, name: str, on: str, mass: Any, at: Any, inertia: Any = None) -> Self:
         """A mass added to a link, at a point of it or at coordinates."""
-        return self._put("counterweights", name, _given(on=on, mass=mass, at=at, inertia=inertia))
+        return self._add_entry("counterweights", name, _without_none(on=on, mass=mass, at=at, inertia=inertia))
 
     def window(self, name: str, low: Any, high: Any, of: str | None = None) -> Self:
         """A stretch of the motion: from ``low`` to ``high`` in time, or in the value of the signal ``of``."""
-        return self._put("windows", name, [low, high] if of is None else {of: [low, high]})
+        return self._add_entry("windows", name, [low, high] if of is None else {of: [low, high]})
 
     def measure(self, name: str, **reduction: Any) -> Self:
         """A figure that is asked for: ``measure("stroke", span="E.x")``."""
-        return self._put("measures", name, reduction)
+        return self._add_entry("measures", name, reduction)
 
     def require(self, measure: str, limit: str) -> Self:
         """A limit on a measure: ``require("stroke", ">= 680 mm")``."""
-        return self._put("require", measure, limit)
+        return self._add_entry("require", measure, limit)
 
     def gravity(self, x: Any, y: Any = None, *, along: Any = None) -> Self:
         """Gravity: ``"earth"`` (down is -y), ``"earth", along=[x, y]`` in a direction of any length, or the
@@ -230,11 +234,11 @@ class Builder:
 
     def study(self, name: str, **options: Any) -> Self:
         """Something to be computed, with its options."""
-        return self._put("studies", name, options)
+        return self._add_entry("studies", name, options)
 
     def export(self, target: str, **options: Any) -> Self:
         """What is written for another tool, with the target's options."""
-        return self._put("exports", target, options)
+        return self._add_entry("exports", target, options)
 
     def build(self) -> Document:
         """The document. Raises :class:`ModelError` with all findings of form."""
@@ -248,7 +252,7 @@ class Builder:
             raise ModelError(findings)
         return document
 
-    def _put(self, section: str, name: str, entry: Any) -> Self:
+    def _add_entry(self, section: str, name: str, entry: Any) -> Self:
         entries = self._data.setdefault(section, {})
         if name in entries:
             self._twice.append(Finding("builder.twice", (section, name), {"name": name}))
@@ -261,7 +265,7 @@ def _points(points: Points, more: Mapping[str, Point]) -> dict[str, Point]:
     return {**given, **more}
 
 
-def _given(**entries: Any) -> dict[str, Any]:
+def _without_none(**entries: Any) -> dict[str, Any]:
     """What is given of some keys."""
     return {key: value for key, value in entries.items() if value is not None}
 

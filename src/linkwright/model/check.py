@@ -12,7 +12,7 @@ from linkwright.findings import Finding, Term
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.motions import ARGUMENT
 from linkwright.model.pins import pins
-from linkwright.model.places import stated
+from linkwright.model.places import find_typed_values
 from linkwright.model.references import KINDS, reference_faults
 from linkwright.model.tolerances import tolerance_faults
 from linkwright.model.values import check_values
@@ -24,7 +24,11 @@ __all__ = ["FRAME", "check_names", "check_values"]
 def check_names(m: Mechanism, fields: Sequence[Found] | None = None) -> list[Finding]:
     """All faults of names and references in a mechanism; ``fields`` is what its typed fields hold. Those of its short
     forms are told by these."""
-    named = [one for one in fields or stated(m) if isinstance(one, Reference) and one.context.path[0] not in _SHORT]
+    named = [
+        one
+        for one in fields or find_typed_values(m)
+        if isinstance(one, Reference) and one.context.path[0] not in _SHORT
+    ]
     found = [*reference_faults(named), *(finding for part in _PARTS for finding in part(m))]
     if FRAME in m.links:
         return found
@@ -81,7 +85,7 @@ def _collisions(m: Mechanism) -> Iterator[Finding]:
 def _joints(m: Mechanism) -> Iterator[Finding]:
     points = homes(m)
     for name, joint in m.joints.items():
-        ends = joint.ends
+        ends = joint.joint_points
         if len({*joint.links}) < len(joint.links):
             yield Finding("joint.same-link", ("joints", name), {"name": joint.links[0]})
         if joint.revolute and name in points and name not in ends:

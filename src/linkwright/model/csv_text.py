@@ -20,7 +20,7 @@ def cell(value: float | int) -> str:
     return repr(value) if isfinite(value) else ""
 
 
-def written(header: list[str], rows: Iterable[list[str]]) -> str:
+def table_text(header: list[str], rows: Iterable[list[str]]) -> str:
     """The whole table; no cell but a number begins as a formula does."""
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")

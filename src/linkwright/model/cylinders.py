@@ -54,17 +54,17 @@ def cylinder_faults(m: Mechanism) -> Iterator[Finding]:
         if cylinder.from_ == cylinder.to:
             yield Finding("cylinder.same-point", path, {"point": cylinder.to})
         if name in m.joints:
-            yield _taken(path, name, "a-joint")
+            yield _name_taken(path, name, "a-joint")
         for link, _, part in cylinder.parts(name):
             if link in m.links:
-                yield _taken(path, link, "a-link")
+                yield _name_taken(path, link, "a-link")
             if part is not None and part.uniform and end_of(link) in points:
-                yield _taken(path, end_of(link), "a-point")
+                yield _name_taken(path, end_of(link), "a-point")
     for name, drive in m.drives.items():
         yield from reference_faults(references(drive, Context(m, ("drives", name)), "extends"))
 
 
-def _taken(path: Path, name: str, by: str) -> Finding:
+def _name_taken(path: Path, name: str, by: str) -> Finding:
     return Finding("name.taken", path, {"name": name, "first": Term(by), "second": Term("a-cylinder")})
 
 

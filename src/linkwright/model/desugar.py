@@ -10,7 +10,7 @@ from linkwright.findings import Finding
 from linkwright.model.cylinders import cylinder_faults, cylinder_home, with_cylinders
 from linkwright.model.followers import follower_entries, with_followers
 from linkwright.model.mechanism import Mechanism
-from linkwright.model.places import stated
+from linkwright.model.places import find_typed_values
 from linkwright.model.plane import LinkagePlane, in_plane
 from linkwright.model.sketch import drawn_values, sketch_faults, sketch_home, with_sketch
 from linkwright.model.walk import Found
@@ -34,7 +34,7 @@ class Spelled:
     @cached_property
     def fields(self) -> list[Found]:
         """What the typed fields of the mechanism hold."""
-        return stated(self.mechanism)
+        return find_typed_values(self.mechanism)
 
     def home(self, findings: Iterable[Finding]) -> list[Finding]:
         """Findings with their places as the file has them."""

@@ -66,7 +66,7 @@ def _nested(path: Path, other: Path) -> bool:
     return bool(path) and path[:both] == other[:both]
 
 
-def written(loc: tuple[Any, ...], data: Any) -> Path:
+def written_path(loc: tuple[Any, ...], data: Any) -> Path:
     """The place in the file: pydantic's, without the names of its branches and of what isn't written."""
     path: list[Any] = []
     for key in loc:
@@ -78,7 +78,7 @@ def written(loc: tuple[Any, ...], data: Any) -> Path:
 
 
 def _finding(fault: Any, raw: Any, owner: Any) -> Finding:
-    context, kind, path = dict(fault.get("ctx") or {}), fault["type"], written(fault["loc"], raw)
+    context, kind, path = dict(fault.get("ctx") or {}), fault["type"], written_path(fault["loc"], raw)
     # A key that belongs to another kind of the same section is no element that is looked for elsewhere.
     elsewhere = kind == "extra_forbidden" and path and path[-1] not in keys_at(owner, path[:-1], raw)
     named = absent(path[-1], fault["input"]) if elsewhere else None
@@ -116,7 +116,7 @@ def finding_of(fault: Any, data: Any, owner: Any, place: Path = ()) -> Finding |
 
     ``data`` is what stands at ``place``, of the type ``owner``.
     """
-    kind, path = fault["type"], written(fault["loc"], data)
+    kind, path = fault["type"], written_path(fault["loc"], data)
     if kind == "finding":
         context = dict(fault["ctx"])
         return Finding(context.pop("code"), (*place, *path), context)

@@ -40,13 +40,13 @@ class Gravity(Written):
     def read(self, raw: Any) -> None:
         if isinstance(raw, list | tuple) and len(raw) == 2:
             parts = (Expression(raw[0]), Expression(raw[1]))
-            self.put("raw", tuple(part.raw for part in parts))
-            self.put("parts", parts)
+            self.set_attribute("raw", tuple(part.raw for part in parts))
+            self.set_attribute("parts", parts)
             return
         match = self._PATTERN.fullmatch(raw) if isinstance(raw, str) else None
         if match is None:
             raise self.unexpected("gravity", raw)
-        self.put(
+        self.set_attribute(
             "parts", (Expression("0 m/s^2"), Expression(f"-{_EARTH}")) if match[1] is None else _along(match[1], raw)
         )
 

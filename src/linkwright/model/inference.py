@@ -42,7 +42,7 @@ class Inference:
         self.places = list(places(mechanism, fields))
         self.order = self._order()
         names = Names(mechanism, signals)
-        self.sound = [place for place in self.places if self._known(names, place)]
+        self.sound = [place for place in self.places if self._names_known(names, place)]
         self.uses = self._infer(uses)
         self._measure_units()
 
@@ -62,7 +62,7 @@ class Inference:
                 self.findings.append(Finding("parameters.cycle", path, {"cycle": " -> ".join(circle)[:200]}))
                 left = {n: needs - {*circle} for n, needs in left.items() if n not in circle}
 
-    def _known(self, names: Names, place: ExpressionPlace) -> bool:
+    def _names_known(self, names: Names, place: ExpressionPlace) -> bool:
         self._add(list(names.misplaced(place)))
         unknown = list(names.unknown(place))
         self._add(unknown)
@@ -76,10 +76,10 @@ class Inference:
         for name, table in self.mechanism.tables.items():
             for unknown, text in ((argument(name), table.x), (value(name), table.y)):
                 if text is not None:
-                    self.dimensions.settle(unknown, column_unit(text)[1])
+                    self.dimensions.set_dimension(unknown, column_unit(text)[1])
         for name, law in self.mechanism.laws.items():
-            self.dimensions.settle(argument(name), law.axis)
-            self.dimensions.settle(value(name), law.value)
+            self.dimensions.set_dimension(argument(name), law.axis)
+            self.dimensions.set_dimension(value(name), law.value)
         fine = {id(place) for place in sorted(self.sound, key=_rank) if self._try(place, self._use)}
         telling = self._telling(uses)
         for place in sorted(telling, key=_rank):
@@ -97,14 +97,14 @@ class Inference:
         unknown = {of for of in wanted if not isinstance(of, Dimension) and of not in self.mechanism.parameters}
         return tuple(place for place, is_open in zip(uses, leaving, strict=True) if is_open or place.wanted in unknown)
 
-    def _of(self, place: ExpressionPlace) -> Dimensions:
+    def _dimensions_at(self, place: ExpressionPlace) -> Dimensions:
         return self.dimensions.with_names(place.names) if place.names else self.dimensions
 
     def _use(self, place: ExpressionPlace) -> None:
-        self._of(place).use(place.expression.node, place.wanted)
+        self._dimensions_at(place).use(place.expression.node, place.wanted)
 
     def _bind_here(self, place: ExpressionPlace) -> None:
-        self._of(place).bind(place.expression.node, self.dimensions.resolve(place.wanted))
+        self._dimensions_at(place).bind(place.expression.node, self.dimensions.resolve(place.wanted))
 
     def _try(self, place: ExpressionPlace, action: Callable[[ExpressionPlace], None]) -> bool:
         try:

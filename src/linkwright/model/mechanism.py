@@ -23,7 +23,7 @@ from linkwright.elements.cam_contact.entry import Cam
 from linkwright.elements.counterweight import Counterweight
 from linkwright.elements.cylinder import Cylinder
 from linkwright.elements.drive import Drive
-from linkwright.elements.entries import ENTRIES, keys_of, stated
+from linkwright.elements.entries import ENTRIES, entries_by_key, keys_of
 from linkwright.elements.fields import freeze
 from linkwright.elements.follower import Follower
 from linkwright.elements.force import Acting, acting
@@ -108,8 +108,8 @@ class _AnyKind:
                 return raw
             if not isinstance(raw, Mapping):
                 return usual(raw)
-            if len(kinds := self.stated(raw)) > 1:
-                raise fault("file.kinds", keys=_apart(raw, kinds))
+            if len(kinds := self.entries_of(raw)) > 1:
+                raise fault("file.kinds", keys=_distinct_keys(raw, kinds))
             if kind := self.entries.get(next(iter(kinds), "")):
                 return kind.model_validate(raw)
             if (misspelled := self.misspelled(raw)) is not None:
@@ -122,9 +122,9 @@ class _AnyKind:
             serialization=core_schema.plain_serializer_function_ser_schema(_dumped, info_arg=True),
         )
 
-    def stated(self, raw: Mapping[str, Any]) -> dict[str, type[BaseModel]]:
+    def entries_of(self, raw: Mapping[str, Any]) -> dict[str, type[BaseModel]]:
         """The entries of the kinds that the keys of one speak of, by these keys; the usual one has none."""
-        kinds = stated(raw, self.usual)
+        kinds = entries_by_key(raw, self.usual)
         if self.own.intersection(raw).difference(*map(keys_of, kinds.values())):
             kinds[""] = self.usual
         return kinds
@@ -166,7 +166,7 @@ class _AnyReduction:
         return {**whole, "properties": said}
 
 
-def _apart(raw: Mapping[str, Any], kinds: Mapping[str, type[BaseModel]]) -> str:
+def _distinct_keys(raw: Mapping[str, Any], kinds: Mapping[str, type[BaseModel]]) -> str:
     """The keys of an entry of several kinds, those of each for itself, without what they share."""
     known = {kind: keys_of(entry) for kind, entry in kinds.items()}
     others = {kind: set().union(*(known[other] for other in known if other != kind)) for kind in known}

@@ -25,7 +25,7 @@ ARGUMENT = "u"
 """The name of the argument of a normalised formula."""
 
 
-def _some(refusal: Callable[[Any], Exception], most: int) -> BeforeValidator:
+def _non_empty_list(refusal: Callable[[Any], Exception], most: int) -> BeforeValidator:
     """A list that isn't empty; ``refusal`` is raised on anything else."""
 
     def check(raw: Any) -> Any:
@@ -38,17 +38,19 @@ def _some(refusal: Callable[[Any], Exception], most: int) -> BeforeValidator:
     return BeforeValidator(check)
 
 
-def _known(raw: Any) -> str:
+def _known_law_name(raw: Any) -> str:
     name = short_text(raw)
     if name not in LAWS:
         raise fault("law.unknown", name=name[:60], near=near(name, [*LAWS]))
     return name
 
 
-Numbers = Annotated[tuple[Expression, ...], _some(lambda raw: unexpected("numbers", raw), MAX_NUMBERS)]
-Powers = Annotated[tuple[Annotated[int, Field(ge=1, le=20)], ...], _some(lambda raw: unexpected("numbers", raw), 20)]
-LawName = Annotated[str, BeforeValidator(_known), Field(json_schema_extra={"enum": [*LAWS]})]
-SOME_ROWS = _some(lambda raw: unexpected("table-rows", raw), MAX_NUMBERS)
+Numbers = Annotated[tuple[Expression, ...], _non_empty_list(lambda raw: unexpected("numbers", raw), MAX_NUMBERS)]
+Powers = Annotated[
+    tuple[Annotated[int, Field(ge=1, le=20)], ...], _non_empty_list(lambda raw: unexpected("numbers", raw), 20)
+]
+LawName = Annotated[str, BeforeValidator(_known_law_name), Field(json_schema_extra={"enum": [*LAWS]})]
+SOME_ROWS = _non_empty_list(lambda raw: unexpected("table-rows", raw), MAX_NUMBERS)
 Rows = Annotated[tuple[Row, ...], SOME_ROWS]
 
 _NORMALISED = ("law", "fractions", "powers", "formula")
@@ -166,9 +168,9 @@ class MotionLaw(Frozen):
     beyond: Literal["repeat", "advance", "hold"] = Field(
         "repeat", description="behind the last segment: all again; again from the value reached; rest"
     )
-    segments: Annotated[tuple[SegmentEntry, ...], _some(lambda raw: unexpected("segments", raw), MAX_SEGMENTS)] = Field(
-        description="one after the other, from 0 on"
-    )
+    segments: Annotated[
+        tuple[SegmentEntry, ...], _non_empty_list(lambda raw: unexpected("segments", raw), MAX_SEGMENTS)
+    ] = Field(description="one after the other, from 0 on")
 
     @property
     def axis(self) -> Dimension:

@@ -208,12 +208,12 @@ class Joint(Frozen):
         """The lowest and the highest travel that it allows."""
         return self.travel
 
-    def wrong(self, value: Any) -> Iterator[FaultWithin]:
+    def number_faults(self, value: Any) -> Iterator[FaultWithin]:
         """What is wrong with the values of its numbers together: nothing that the fields don't say."""
         yield from ()
 
     @property
-    def ends(self) -> tuple[str, ...]:
+    def joint_points(self) -> tuple[str, ...]:
         """The point of each link that the joint is stated by."""
         return self.at or tuple(line.point for line in self.line or ())
 

@@ -25,9 +25,9 @@ __all__ = [
     "Path",
     "Scope",
     "crossed",
+    "find_typed_values",
     "places",
     "position_parts",
-    "stated",
 ]
 
 OF_FORMULA = FrozenDict({ARGUMENT: u.PURE})
@@ -45,13 +45,14 @@ def position_parts(position: Position) -> tuple[tuple[Expression, Dimension], tu
     return (position.first, u.LENGTH), (position.second, u.ANGLE if position.polar else u.LENGTH)
 
 
-def stated(m: Mechanism) -> list[Found]:
+def find_typed_values(m: Mechanism) -> list[Found]:
     """What the typed fields of a mechanism hold whose short forms are spelled out: one walk, for all that asks."""
     return walk(m, Context(m), *SECTIONS, "measures", "require")
 
 
 def places(m: Mechanism, found: Iterable[Found]) -> Iterator[ExpressionPlace]:
-    """Every expression of a mechanism, the definitions of its parameters first; ``found`` is what is :func:`stated`."""
+    """Every expression of a mechanism, the definitions of its parameters first; ``found`` is from
+    :func:`find_typed_values`."""
     by_entry: dict[str, dict[Path, list[ExpressionPlace]]] = {}
     for one in found:
         if isinstance(one, QuantityPlace):
@@ -64,13 +65,13 @@ def places(m: Mechanism, found: Iterable[Found]) -> Iterator[ExpressionPlace]:
         for element in acting:
             if element.section == section:
                 yield from own.get((element.name,), ())
-                uses = element.kind.uses(m, element.entry)
+                uses = element.kind.implied_expressions(m, element.entry)
                 yield from (
                     ExpressionPlace((*element.path, use.key), use.expression, use.wanted, use.scope) for use in uses
                 )
     own, bounds = by_entry.get("measures", {}), by_entry.get("require", {})
     for name, measure in m.measures.items():
         yield from own.get((name,), ())
-        uses = measure.uses(m, name)
+        uses = measure.implied_expressions(m, name)
         yield from (ExpressionPlace(("measures", name, use.key), use.expression, use.wanted, use.scope) for use in uses)
         yield from bounds.get((name,), ())

@@ -61,7 +61,7 @@ def _lengths(q: Quantities) -> Iterator[Finding]:
         places = {point: _place(q, at) for point, at in list(link.points.items())[:MOST_POINTS]}
         for (a, p), (b, r) in combinations(places.items(), 2):
             known[name, a, b] = abs(p - r)
-    if pair := _apart(known):
+    if pair := _extremes_far_apart(known):
         short, long = pair
         data = {"ratio": f"{known[long] / known[short]:.3g}", "short": _distance(*short), "long": _distance(*long)}
         data |= {"low": amount(q, known[short], u.LENGTH), "high": amount(q, known[long], u.LENGTH)}
@@ -82,14 +82,14 @@ def _masses(q: Quantities) -> Iterator[Finding]:
     given = {("links", name): link.mass for name, link in q.mechanism.links.items()}
     given |= {one.path: weight.mass for one in q.mechanism.acting() if (weight := one.kind.weighs(one.entry))}
     known = {path: q.value(mass, u.MASS) for path, mass in given.items() if mass is not None}
-    if pair := _apart(known):
+    if pair := _extremes_far_apart(known):
         light, heavy = pair
         data = {"ratio": f"{known[heavy] / known[light]:.3g}", "light": light[1], "heavy": heavy[1]}
         data |= {"low": amount(q, known[light], u.MASS), "high": amount(q, known[heavy], u.MASS)}
         yield Finding("plausible.masses", light, {**data}, severity="note")
 
 
-def _apart(known: Mapping[Key, float]) -> tuple[Key, Key] | None:
+def _extremes_far_apart(known: Mapping[Key, float]) -> tuple[Key, Key] | None:
     """The smallest and the largest of some values, where they are far apart; zero, to round-off, isn't one."""
     top = max(known.values(), default=0.0)
     some = {key: value for key, value in known.items() if value > 1e-9 * top}

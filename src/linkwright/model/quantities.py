@@ -13,14 +13,14 @@ from linkwright.expressions.dimensions import DimensionError, Dimensions, Wanted
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import ExpressionError, Node, evaluate
 from linkwright.expressions.synonyms import unit_meant
-from linkwright.expressions.units import Dimension, UnitError, si_text, spelled, unit, words_of
+from linkwright.expressions.units import Dimension, UnitError, si_text, unit, unit_text, words_of
 from linkwright.findings import Finding, Term
 from linkwright.model.actions import column_unit
 from linkwright.model.bound_window import BoundWindow
 from linkwright.model.inference import Inference
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.names import Names
-from linkwright.model.places import OF_FORMULA, ExpressionPlace, position_parts, stated
+from linkwright.model.places import OF_FORMULA, ExpressionPlace, find_typed_values, position_parts
 from linkwright.model.signals import Signals
 from linkwright.model.walk import Found
 
@@ -46,7 +46,7 @@ class Quantities:
         self.signals = Signals(mechanism)
         self.findings: list[Finding] = []
         self.declared = self._declared()
-        self.fields = stated(mechanism) if fields is None else fields
+        self.fields = find_typed_values(mechanism) if fields is None else fields
         inference = Inference(mechanism, self.signals, self.declared, self.fields, uses)
         self.dimensions: Dimensions = inference.dimensions
         self.places: list[ExpressionPlace] = inference.places
@@ -159,7 +159,7 @@ class Quantities:
     def unit_of(self, dimension: Dimension) -> tuple[str, float]:
         """The unit in which a quantity goes out, and its SI value: as declared, else SI."""
         try:
-            text = spelled(dimension, self.declared, strict=False)
+            text = unit_text(dimension, self.declared, strict=False)
         except UnitError:
             return si_text(dimension), 1.0
         return text, unit(text)[0]

@@ -29,7 +29,7 @@ def _plain(schema: Any) -> Any:
         return [_plain(entry) for entry in schema]
     if not isinstance(schema, dict):
         return schema
-    schema = {key: value for key, value in _given(schema).items() if key not in ("title", "default")}
+    schema = {key: value for key, value in _without_null(schema).items() if key not in ("title", "default")}
     if "patternProperties" in schema:
         schema["additionalProperties"] = False
     if "description" in schema:
@@ -40,7 +40,7 @@ def _plain(schema: Any) -> Any:
     }
 
 
-def _given(schema: dict[str, Any]) -> dict[str, Any]:
+def _without_null(schema: dict[str, Any]) -> dict[str, Any]:
     """The schema of a key where it is given: without the null that stands for its absence."""
     options = [option for option in schema.get("anyOf", []) if option != {"type": "null"}]
     if len(options) == len(schema.get("anyOf", [])):

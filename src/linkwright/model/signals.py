@@ -154,7 +154,7 @@ class Signals:
     def find(self, node: Name | Call) -> Signal:
         """The signal that an expression names. Raises DimensionError naming what is wrong."""
         if isinstance(node, Call):
-            return self._called(node)
+            return self._called_signal(node)
         if (known := self._found.get(node.text)) is None:
             owner, _, attribute = node.text.partition(".")
             kind, attributes = self.attributes(owner)
@@ -203,7 +203,7 @@ class Signals:
             raise DimensionError("signal.same-link", name=names[0])
         return tuple(names)
 
-    def _called(self, node: Call) -> Signal:
+    def _called_signal(self, node: Call) -> Signal:
         kind, owners, attributes = self.element(node)
         hidden = kind == "force" and node.attribute in SLIDE_FORCE.keys() - attributes.keys()
         if hidden and (joint := self.contact(owners).joint) in self.looped:
@@ -238,7 +238,9 @@ class Signals:
                 continue
             seen |= {(c.joint, c.link)}
             attributes = self.of_contact(c)
-            found += [self._called(Call("force", (Name(c.link), Name(c.on), Name(c.joint)), a)) for a in attributes]
+            found += [
+                self._called_signal(Call("force", (Name(c.link), Name(c.on), Name(c.joint)), a)) for a in attributes
+            ]
         found += [Signal("shaking", ("shaking",), a, d) for a, d in SHAKING.items()]
         found += [Signal(*self._owned(name), a, d) for name in self.acting for a, d in self.attributes(name)[1].items()]
         return found + [Signal("energy", ("energy",), a, d) for a, d in self.energies.items()]

@@ -206,13 +206,13 @@ def sketch_faults(m: Mechanism) -> Iterator[Finding]:
         for key in ("start", "position"):
             law = getattr(drive, key)
             asked = law is not None and "sketch" not in m.parameters and WORD.search(law.text) and _sound(m, drive)
-            if asked and not _drawn(m, drive):
+            if asked and not _has_sketched_value(m, drive):
                 yield Finding("sketch.no-value", ("drives", name, key), {"name": name})
-        if starts_as_drawn(drive) and _sound(m, drive) and not _drawn(m, drive):
+        if starts_as_drawn(drive) and _sound(m, drive) and not _has_sketched_value(m, drive):
             yield Finding("drive.start", ("drives", name))
 
 
-def _drawn(m: Mechanism, drive: Drive) -> bool:
+def _has_sketched_value(m: Mechanism, drive: Drive) -> bool:
     """Whether the sketch tells a drive's value."""
     return bool(m.sketch) and _Sketch(m).value(drive) is not None
 

@@ -28,7 +28,7 @@ class ClassName(Written):
         if found is None:
             known = ", ".join(examples())
             raise fault("tolerance.unknown-class", given=str(raw)[:40], known=known)
-        self.put("found", found)
+        self.set_attribute("found", found)
 
 
 _ISO = re.compile(r"\s*ISO\b", re.IGNORECASE)
@@ -103,14 +103,14 @@ Tolerance = Annotated[
 AnyTolerance = Two | StatedTolerance | ClassName | Expression
 
 
-def stated(tolerance: AnyTolerance | None) -> StatedTolerance:
+def full_tolerance(tolerance: AnyTolerance | None) -> StatedTolerance:
     """A tolerance in its full form."""
     return tolerance if isinstance(tolerance, StatedTolerance) else StatedTolerance.model_construct(limits=tolerance)
 
 
 def tolerance_parts(tolerance: AnyTolerance | None) -> Iterator[tuple[tuple[str, ...], Expression]]:
     """The expressions of a tolerance, each with its place in it."""
-    whole = stated(tolerance)
+    whole = full_tolerance(tolerance)
     key = ("limits",) if whole is tolerance else ()
     limits = whole.limits if isinstance(whole.limits, tuple) else (whole.limits,)
     yield from ((key, part) for part in limits if isinstance(part, Expression))
@@ -122,7 +122,7 @@ def tolerance_parts(tolerance: AnyTolerance | None) -> Iterator[tuple[tuple[str,
 def tolerance_faults(parameters: Mapping[str, Any]) -> Iterator[Finding]:
     """Names that are both a class of tolerances and a parameter of the file, where a tolerance is one."""
     for name, parameter in parameters.items():
-        limits = stated(parameter.tolerance).limits
+        limits = full_tolerance(parameter.tolerance).limits
         if isinstance(limits, ClassName) and limits.raw.strip() in parameters:
             yield Finding(
                 "tolerance.class-or-parameter", ("parameters", name, "tolerance"), {"name": limits.raw.strip()}

@@ -31,7 +31,7 @@ def check_values(quantities: Quantities) -> list[Finding]:
     stated = [found for found in quantities.fields if isinstance(found, QuantityPlace)]
     signs = (finding for site in stated for finding in sign_faults(quantities, site))
     special = (finding for part in (_acting, _rods, _slides, _joints) for finding in part(quantities))
-    return [*bad, *signs, *special, *(finding for site in stated for finding in _ends(quantities, site))]
+    return [*bad, *signs, *special, *(finding for site in stated for finding in _interval_faults(quantities, site))]
 
 
 def _finite(q: Quantities, place: ExpressionPlace) -> Iterator[Finding]:
@@ -56,7 +56,7 @@ def sign_faults(q: Quantities, site: QuantityPlace) -> Iterator[Finding]:
         yield Finding("value.too-small", site.path, data)
 
 
-def _ends(q: Quantities, site: QuantityPlace) -> Iterator[Finding]:
+def _interval_faults(q: Quantities, site: QuantityPlace) -> Iterator[Finding]:
     """That an interval's ends lie the wrong way round, or leave nothing between them."""
     ends = site.parts[0][1].ends
     if ends is Ends.ANY or len(site.parts) != 2:
@@ -72,7 +72,7 @@ def _ends(q: Quantities, site: QuantityPlace) -> Iterator[Finding]:
 
 def _acting(q: Quantities) -> Iterator[Finding]:
     for one in q.mechanism.acting():
-        for wrong, (code, data, *path) in one.entry.wrong(q.value):
+        for wrong, (code, data, *path) in one.entry.number_faults(q.value):
             if q.bad(wrong):
                 yield Finding(code, (*one.path, *path), data)
 
@@ -101,7 +101,7 @@ def _slides(q: Quantities) -> Iterator[Finding]:
 
 def _joints(q: Quantities) -> Iterator[Finding]:
     for name, joint in q.mechanism.joints_but_pins():
-        for code, data, *path in joint.wrong(q.value):
+        for code, data, *path in joint.number_faults(q.value):
             yield Finding(code, ("joints", name, *path), data)
 
 

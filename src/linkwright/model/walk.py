@@ -75,11 +75,13 @@ class _Spec:
     form: Literal["value", "union", "items", "list", "mapping"] = "value"
 
     @property
-    def holds(self) -> bool:
+    def has_typed_values(self) -> bool:
         """Whether what it describes may hold quantities or names."""
         if self.ref is not None or self.quantity is not None or self.key is not None:
             return True
-        return any(issubclass(kind, BaseModel | Written) for kind in self.kinds) or any(s.holds for s in self.inner)
+        return any(issubclass(kind, BaseModel | Written) for kind in self.kinds) or any(
+            s.has_typed_values for s in self.inner
+        )
 
     def branch(self, value: Any) -> _Spec:
         """Of a union, what it says of a value of that kind."""
@@ -110,7 +112,7 @@ def _spec(annotation: Any, metadata: Any = ()) -> _Spec:
         return made((tuple,), inner=inner, form="list" if every else "items")
     if origin is dict:
         key = _spec(args[0])
-        return made((dict,), key=key if key.holds else None, inner=(_spec(args[1]),), form="mapping")
+        return made((dict,), key=key if key.has_typed_values else None, inner=(_spec(args[1]),), form="mapping")
     return made((annotation,) if isinstance(annotation, type) else ())
 
 
@@ -119,7 +121,7 @@ def _fields(entry: type[BaseModel]) -> dict[str, tuple[str, _Spec]]:
     """The fields of an entry that may hold quantities or names: by their keys in the file the attribute, and what they
     hold."""
     every = {of.alias or name: (name, _spec(of.annotation, of.metadata)) for name, of in entry.model_fields.items()}
-    return {key: (name, spec) for key, (name, spec) in every.items() if spec.holds}
+    return {key: (name, spec) for key, (name, spec) in every.items() if spec.has_typed_values}
 
 
 Found = QuantityPlace | Reference
@@ -150,7 +152,7 @@ def _entry(entry: BaseModel, at: Context, of: Quantity | None, found: list[Found
         if (value := getattr(entry, name)) is not None:
             # In a file mostly, or always, without its key.
             main = isinstance(entry, RootModel) or (isinstance(entry, Shortened) and key == entry.main)
-            _walk(value, inside if main else inside.at(key), spec, of, None, found)
+            _walk(value, inside if main else inside.child(key), spec, of, None, found)
 
 
 def _walk(value: Any, at: Context, spec: _Spec, of: Quantity | None, ref: Ref | None, found: list[Found]) -> None:
@@ -172,7 +174,7 @@ def _walk(value: Any, at: Context, spec: _Spec, of: Quantity | None, ref: Ref | 
     elif isinstance(value, Mapping):
         item = spec.item(0)
         for key, held in value.items():
-            below = at.at(key)
+            below = at.child(key)
             if spec.key is not None:
                 _walk(key, below, spec.key, None, None, found)
             _walk(held, below, item, of, ref, found)
@@ -180,7 +182,7 @@ def _walk(value: Any, at: Context, spec: _Spec, of: Quantity | None, ref: Ref | 
         _site(at, [(part, spec.item(i).quantity) for i, part in enumerate(value)], of, found)
     elif isinstance(value, tuple):
         for i, part in enumerate(value):
-            _walk(part, at.at(i), spec.item(i), of, ref, found)
+            _walk(part, at.child(i), spec.item(i), of, ref, found)
 
 
 def _site(

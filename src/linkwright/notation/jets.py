@@ -73,7 +73,7 @@ class Jet:
         """The time derivative, one order shorter."""
         return Jet(self.d[1:])
 
-    def cut(self, order: int) -> Jet:
+    def truncated(self, order: int) -> Jet:
         """The same quantity carried to at most ``order``."""
         return Jet(self.d[: order + 1])
 
@@ -152,7 +152,7 @@ class Jet:
         """g(f) from its value and g'(f): (g(f))' = g'(f) f', taken one order lower each time."""
         if self.order == 0:
             return Jet([value])
-        return Jet([value, *(slope(self.cut(self.order - 1)) * self.rate()).d])
+        return Jet([value, *(slope(self.truncated(self.order - 1)) * self.rate()).d])
 
     def sin(self) -> Jet:
         return self.chain(call("sin", self.d[0]), Jet.cos)
@@ -187,7 +187,7 @@ class Jet:
         order = min(self.order, x.order)
         if order == 0:
             return Jet([value])
-        low_y, low_x = self.cut(order - 1), x.cut(order - 1)
+        low_y, low_x = self.truncated(order - 1), x.truncated(order - 1)
         rate = (low_x * self.rate() - low_y * x.rate()) / (low_x * low_x + low_y * low_y)
         return Jet([value, *rate.d])
 

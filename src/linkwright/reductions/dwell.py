@@ -43,7 +43,7 @@ class DwellEntry(Measure):
     )
 
     @classmethod
-    def apart(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
+    def key_faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
         if ("dwell" in given) != ("within" in given):
             yield "measure.within", {}
 
@@ -60,19 +60,19 @@ class Dwell(MeasureKind):
     entry = DwellEntry
     differentiable = True
 
-    def found(self, run: InRun) -> tuple[FoundFigure, ...]:
+    def run_figures(self, run: InRun) -> tuple[FoundFigure, ...]:
         start, stop = _longest(run)
-        return (run.found("", stop - start, start),)
+        return (run.graded_figure("", stop - start, start),)
 
     def derivative(self, found: WithDeviations) -> list[Derivative]:
         """Where a turning point inside lies on the band's edge, the edge goes with it, and so do the stretch's ends;
         where the signal passes through, it is as fast at either end, so that the band's place doesn't matter.
         """
-        run = found.here
+        run = found.nominal_run
         width, wider = found.number(run.measure.within)
         start, stop = _longest(run)
         inside = [t for t in run.stationary if start < t < stop and not found.same(t, start)]
-        here = found.at([start, stop, *(t for t in inside if not found.same(t, stop))])
+        here = found.values_at([start, stop, *(t for t in inside if not found.same(t, stop))])
         value, rate, slope = here.value[0], here.rate[0], here.slope[0]
         ends = [found.moves(start), found.moves(stop)]
         low, lower = _edge(value, slope, ends, width, wider)

@@ -76,7 +76,7 @@ class Measure(Frozen):
     )
 
     @classmethod
-    def apart(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
+    def key_faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
         """What is wrong with keys that stand together only, in a measure of any reduction."""
         yield from ()
 
@@ -90,7 +90,7 @@ class Measure(Frozen):
         named, known = (", ".join(entry.reduction for entry in some) for some in (entries, ENTRIES.values()))
         if len(entries) > 1:
             raise fault("measure.reduction", given=named, known=known)
-        for code, data in (wrong for entry in ENTRIES.values() if entries for wrong in entry.apart(given)):
+        for code, data in (wrong for entry in ENTRIES.values() if entries for wrong in entry.key_faults(given)):
             raise fault(code, **data)
         return entries[0].model_validate(raw) if entries else handler(raw)
 
@@ -126,12 +126,12 @@ class Measure(Frozen):
         return self.signal.text
 
     @property
-    def said(self) -> Said:
+    def description(self) -> Said:
         """What is asked for, for the reader."""
         key = "measure.text.window" if self.window else "measure.text"
         return Said(key, reduction=self.reduction, signal=self.subject, window=self.window)
 
-    def uses(self, mechanism: Any, name: str) -> Iterator[Use]:
+    def implied_expressions(self, mechanism: Any, name: str) -> Iterator[Use]:
         """The expressions that no field holds, of a measure of that name."""
         for key, expression in self.also.items():
             yield Use(key, expression, (f"{key} {name}", 0), Scope.SIGNALS)
@@ -158,7 +158,7 @@ class OfPath(Measure):
         """The point, for the reader."""
         return self.point
 
-    def uses(self, mechanism: Any, name: str) -> Iterator[Use]:
+    def implied_expressions(self, mechanism: Any, name: str) -> Iterator[Use]:
         """Its signal, where there is such a point."""
         if self.point in homes(mechanism):
             yield Use(self.reduction, self.signal, self.along[1], Scope.SIGNALS)

@@ -27,11 +27,13 @@ class _OfExtremes(MeasureKind):
     differentiable = True
     bounded = True
 
-    def needs(self, measure: Any) -> Sequence[tuple[str, float]]:
+    def needed_extremes(self, measure: Any) -> Sequence[tuple[str, float]]:
         return [("", sign) for sign in self.proven]
 
-    def found(self, run: InRun) -> tuple[FoundFigure, ...]:
-        return tuple(run.found(label, *(run.top() if sign > 0 else run.bottom())) for label, sign in self.signs.items())
+    def run_figures(self, run: InRun) -> tuple[FoundFigure, ...]:
+        return tuple(
+            run.graded_figure(label, *(run.top() if sign > 0 else run.bottom())) for label, sign in self.signs.items()
+        )
 
     def figures(self, samples: InSamples) -> dict[str, Figures]:
         return {label: samples.extreme(sign) for label, sign in self.signs.items()}
@@ -78,12 +80,12 @@ class Span(_OfExtremes):
     entry = SpanEntry
     proven = (-1.0, 1.0)
 
-    def found(self, run: InRun) -> tuple[FoundFigure, ...]:
-        high, low = (run.found("", *peak) for peak in (run.top(), run.bottom()))
+    def run_figures(self, run: InRun) -> tuple[FoundFigure, ...]:
+        high, low = (run.graded_figure("", *peak) for peak in (run.top(), run.bottom()))
         for end in (high, low):
             if end.unbounded:
                 return (replace(end, value=float(np.inf)),)
-        return (run.found("", high.value - low.value),)
+        return (run.graded_figure("", high.value - low.value),)
 
     def figures(self, samples: InSamples) -> dict[str, Figures]:
         return {"": Figures.anywhere(samples.extreme(1.0).values - samples.extreme(-1.0).values)}
@@ -93,9 +95,9 @@ class Span(_OfExtremes):
         pairs = high.places[:, None] - low.places[None]  # a largest value less a smallest is a largest difference
         return [Derivative("", None, pairs.reshape(-1, found.count))]
 
-    def bound(self, found: WithPlay) -> list[Array]:
+    def clearance_bounds(self, found: WithPlay) -> list[Array]:
         """The directions at the two extremes are free of each other."""
-        low, high = (found.worst(found.moved.extreme(sign).sides).max(axis=1) for sign in (-1.0, 1.0))
+        low, high = (found.worst(found.deviations.extreme(sign).sides).max(axis=1) for sign in (-1.0, 1.0))
         return [low + high]
 
     def beyond(self, reported: Mapping[str, float], low: float, high: float) -> float:

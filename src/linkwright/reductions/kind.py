@@ -42,7 +42,7 @@ class MeasureKind(ABC):
     differentiable: ClassVar[bool] = False
     """Whether it gives a :meth:`derivative`; without one the accuracy study refuses it by name."""
     bounded: ClassVar[bool] = False
-    """Whether its :meth:`bound` holds; without one the effect of clearances on it stays open, which is told."""
+    """Whether its :meth:`clearance_bounds` holds; without one the effect of clearances on it stays open."""
     still: ClassVar[bool] = False
     """Whether its bound holds only where clearances don't move the window."""
     words: ClassVar[Mapping[str, Mapping[str, str]]] = {}
@@ -54,10 +54,10 @@ class MeasureKind(ABC):
         return self.entry.reduction
 
     @abstractmethod
-    def found(self, run: InRun) -> tuple[FoundFigure, ...]:
+    def run_figures(self, run: InRun) -> tuple[FoundFigure, ...]:
         """The figures of a run, in the order of the labels. Raises :class:`Unmeasured` where there are none."""
 
-    def needs(self, measure: Any) -> Sequence[tuple[str, float]] | None:
+    def needed_extremes(self, measure: Any) -> Sequence[tuple[str, float]] | None:
         """The extremes that :meth:`figures` asks for: key of the expression ("" for the signal) and sign. ``None``
         where samples have to be taken one after the other, each in a run of its own."""
         return None
@@ -70,10 +70,10 @@ class MeasureKind(ABC):
         """The derivatives of the figures by the deviations, in the order of the labels."""
         raise NotImplementedError
 
-    def bound(self, found: WithPlay) -> list[Array]:
+    def clearance_bounds(self, found: WithPlay) -> list[Array]:
         """By how much each joint's clearance changes the figures at most, to first order: (joints,) each. Unless it
         says more, directions are held while the place is looked for."""
-        return [found.worst(figure.sides).max(axis=1) for figure in self.derivative(found.moved)]
+        return [found.worst(figure.sides).max(axis=1) for figure in self.derivative(found.deviations)]
 
     def beyond(self, reported: Mapping[str, float], low: float, high: float) -> float | None:
         """By how much values that reach from ``low`` to ``high`` contradict reported figures (by label); negative where

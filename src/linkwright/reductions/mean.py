@@ -32,21 +32,21 @@ class _OfMean(MeasureKind):
     def figure(self, mean: Any, length: Any) -> Any:
         """The figure from the mean of the power over a window of this length (s); numbers or arrays."""
 
-    def needs(self, measure: Any) -> Sequence[tuple[str, float]]:
+    def needed_extremes(self, measure: Any) -> Sequence[tuple[str, float]]:
         return ()
 
-    def found(self, run: InRun) -> tuple[FoundFigure, ...]:
-        return (run.found("", float(self.figure(run.mean(self.power), run.length))),)
+    def run_figures(self, run: InRun) -> tuple[FoundFigure, ...]:
+        return (run.graded_figure("", float(self.figure(run.mean(self.power), run.length))),)
 
     def figures(self, samples: InSamples) -> dict[str, Figures]:
         return {"": Figures.anywhere(self.figure(samples.mean(), samples.length))}
 
-    def bound(self, found: WithPlay) -> list[Array]:
+    def clearance_bounds(self, found: WithPlay) -> list[Array]:
         """The directions are free at each time."""
         total, size, length = np.zeros(found.joints), 0.0, 0.0
-        for a, b in found.moved.here.intervals:
+        for a, b in found.deviations.nominal_run.intervals:
             t, weight = found.panels(a, b)
-            here = found.moved.at(t, rates=False)
+            here = found.deviations.values_at(t, rates=False)
             total += found.worst(here.slope[0]) * np.abs(here.value[0]) ** (self.power - 1) @ weight
             size, length = size + float(here.value[0] ** 2 @ weight), length + b - a
         return [total / (length if self.power == 1 else np.sqrt(size * length))]

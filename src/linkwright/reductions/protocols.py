@@ -43,7 +43,7 @@ class InRun(Protocol):
     def values(self, t: Array) -> Array:
         """The signal at times."""
 
-    def at(self, time: float) -> Peak:
+    def value_at(self, time: float) -> Peak:
         """The signal at one time; where only one of its sides has a value, that. Raises :class:`Unmeasured`."""
 
     def top(self) -> Peak:
@@ -58,7 +58,7 @@ class InRun(Protocol):
     def number(self, expression: Expression) -> float:
         """An expression of parameters of the kind of the signal."""
 
-    def found(self, label: str, value: float, time: float | None = None, side: str = "") -> FoundFigure:
+    def graded_figure(self, label: str, value: float, time: float | None = None, side: str = "") -> FoundFigure:
         """A figure as a search gives it."""
 
     def other(self, key: str) -> InRun:
@@ -95,11 +95,11 @@ class InSamples(Protocol):
         """How long each one's window is."""
 
     @property
-    def ends(self) -> tuple[Array, Array]:
+    def window_ends(self) -> tuple[Array, Array]:
         """Where each one's window begins and ends."""
 
     def extreme(self, sign: float, key: str = "") -> Figures:
-        """The largest values, or with the sign -1 the smallest, among those that the kind ``needs``."""
+        """The largest values, or with the sign -1 the smallest, among the kind's ``needed_extremes``."""
 
     def mean(self) -> Array:
         """The mean over time of the kind's ``power`` of the signal."""
@@ -109,10 +109,10 @@ class InSamples(Protocol):
 
 
 class WithDeviations(Protocol):
-    """A measure's signal with its exact derivatives by ``count`` deviations, about the nominal run ``here``."""
+    """A measure's signal with its exact derivatives by ``count`` deviations, about the ``nominal_run``."""
 
     @property
-    def here(self) -> InRun:
+    def nominal_run(self) -> InRun:
         """The nominal run."""
 
     @property
@@ -125,7 +125,7 @@ class WithDeviations(Protocol):
     def integral(self, power: int) -> tuple[float, Array, float, Array]:
         """The integral of a power of the signal with its derivative (deviations,); the window's length likewise."""
 
-    def at(self, times: Sequence[float] | Array, key: str = "", rates: bool = True) -> Local:
+    def values_at(self, times: Sequence[float] | Array, key: str = "", rates: bool = True) -> Local:
         """The signal, or another expression, at times: one row."""
 
     def moves(self, time: float) -> Array | None:
@@ -148,7 +148,7 @@ class WithPlay(Protocol):
     """A measure's signal by displacements in the joints with clearance, which may have any direction."""
 
     @property
-    def moved(self) -> WithDeviations:
+    def deviations(self) -> WithDeviations:
         """By the displacements, whose directions are held."""
 
     @property

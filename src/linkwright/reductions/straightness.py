@@ -47,16 +47,16 @@ class Straightness(MeasureKind):
     entry = StraightnessEntry
     differentiable = True
 
-    def found(self, run: InRun) -> tuple[FoundFigure, ...]:
-        return (run.found("", _of_run(run)[0]),)
+    def run_figures(self, run: InRun) -> tuple[FoundFigure, ...]:
+        return (run.graded_figure("", _of_run(run)[0]),)
 
     def derivative(self, found: WithDeviations) -> list[Derivative]:
         """The path lies on one side with two points, on the other with one between these. The strip turns so that it
         stays on all three: the width changes by the third point's motion across less that of the place opposite, on the
         chord of the two. (Without a chord the width is stationary in the strip's direction.)
         """
-        point = found.here.measure.point
-        _, across, times = _of_run(found.here)
+        point = found.nominal_run.measure.point
+        _, across, times = _of_run(found.nominal_run)
         values, slopes = found.signals([f"{point}.{axis}" for axis in ("x", "y", "vx", "vy")], times)
         place, speed, moved = values[0] + 1j * values[1], values[2] + 1j * values[3], slopes[0] + 1j * slopes[1]
         for i, time in enumerate(times):

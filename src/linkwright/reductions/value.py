@@ -69,7 +69,7 @@ class ValueEntry(Measure):
     )
 
     @classmethod
-    def apart(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
+    def key_faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
         if ("value" in given) != ("where" in given):
             yield "measure.where", {}
 
@@ -87,7 +87,7 @@ class ValueEntry(Measure):
         return FrozenDict({"where": Expression(expression)} if expression else {})
 
     @property
-    def said(self) -> Said:
+    def description(self) -> Said:
         """What is asked for, for the reader."""
         return Said("measure.text.where", signal=self.subject, where=self.where)
 
@@ -101,26 +101,28 @@ class Value(MeasureKind):
     differentiable = True
     bounded = True
 
-    def found(self, run: InRun) -> tuple[FoundFigure, ...]:
-        time, grade = _placed(run)
-        return (FoundFigure("", *run.at(time), grade),)
+    def run_figures(self, run: InRun) -> tuple[FoundFigure, ...]:
+        time, grade = _instant(run)
+        return (FoundFigure("", *run.value_at(time), grade),)
 
-    def needs(self, measure: ValueEntry) -> Sequence[tuple[str, float]] | None:
+    def needed_extremes(self, measure: ValueEntry) -> Sequence[tuple[str, float]] | None:
         kind = measure.instant.kind
         return None if kind == "zero" else [("where", _SIGNS[kind])] if measure.also else ()
 
     def figures(self, samples: InSamples) -> dict[str, Figures]:
         kind = samples.measure.instant.kind
-        times = samples.extreme(_SIGNS[kind], "where").times if samples.measure.also else samples.ends[kind == "end"]
+        times = (
+            samples.extreme(_SIGNS[kind], "where").times if samples.measure.also else samples.window_ends[kind == "end"]
+        )
         return {"": Figures(samples.values(times), times)}
 
     def derivative(self, found: WithDeviations) -> list[Derivative]:
         time, moves = _moving(found)
-        here = found.at([time])
+        here = found.values_at([time])
         return [Derivative.smooth(here.slope[0, :, 0] + here.rate[0, 0] * moves, time)]
 
 
-def _placed(run: InRun) -> tuple[float, Grade]:
+def _instant(run: InRun) -> tuple[float, Grade]:
     """The time (s) of a value, and how sure it is."""
     kind = run.measure.instant.kind
     if kind == "zero":
@@ -136,10 +138,10 @@ def _placed(run: InRun) -> tuple[float, Grade]:
 
 def _moving(found: WithDeviations) -> tuple[float, Array]:
     """The time (s) of a value and its derivative."""
-    run, kind = found.here, found.here.measure.instant.kind
-    time, _ = _placed(run)
+    run, kind = found.nominal_run, found.nominal_run.measure.instant.kind
+    time, _ = _instant(run)
     if kind == "zero":
-        here = found.at([time], "where")
+        here = found.values_at([time], "where")
         return time, np.asarray(-here.slope[0, :, 0] / here.rate[0, 0])
     if not run.measure.also:  # the end itself, on whichever side of a jump
         time = run.intervals[-1][1] if kind == "end" else run.intervals[0][0]

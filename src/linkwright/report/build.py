@@ -159,7 +159,7 @@ def _joints(result: Result) -> list[JointData]:
 
 def _springs(result: Result) -> list[SpringData]:
     mechanism = result.run.compiled.mechanism
-    drawn = ((one.name, one.kind.drawn(mechanism, one.entry)) for one in mechanism.acting())
+    drawn = ((one.name, one.kind.outline(mechanism, one.entry)) for one in mechanism.acting())
     return [{"name": name, **line._asdict()} for name, line in drawn if line]  # type: ignore[typeddict-item]
 
 

@@ -45,7 +45,7 @@ def cam_shapes(compiled: Compiled, size: float) -> Shapes:
             for flank in (-1, 1) if drive.cam.closed == "groove" else (-1,):
                 draw(drive.cam.cam, where.placed(plate.look(turn).offset(flank * plate.follower.radius)))
         touches = [touch(geometry, drive)]
-        if drive.paired:
+        if drive.has_second_contact:
             touches.append(second_touch(geometry, drive, largest(drive, compiled.motions[drive.cam.law])))
         for contact, plate in zip(touches, [plate for plate, _ in (*plates, plates[0])], strict=False):
             if radius := plate.follower.radius:

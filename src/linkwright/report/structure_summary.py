@@ -44,7 +44,7 @@ def facts(compiled: Compiled) -> list[Fact]:
         lines.append(_fact("higher", Joined((_higher(c.joint, c.kind, c.links) for c in higher), "; ")))
     pinned = {point for pin in topology.pins.values() for _, point in pin.members}
     pinned |= {end_of(link) for name in m.cylinders for link in links_of(name)}  # no names of the file's
-    pinned |= {end for c in higher for end in m.joints[c.joint].ends}
+    pinned |= {end for c in higher for end in m.joints[c.joint].joint_points}
     lone = [point for point in compiled.quantities.signals.homes if point not in pinned]
     if lone:
         lines.append(_fact("lone", Said("fact.lone.text", points=", ".join(lone))))

@@ -76,7 +76,7 @@ class Bunch:
         if self.shared:
             y = self.varied.evaluate(names, self.p, self.t[0], True, self.kernel).reshape(shape)
         else:
-            y = self.varied.at(names, self.p, np.ascontiguousarray(self.t), True, self.kernel)
+            y = self.varied.signals_at(names, self.p, np.ascontiguousarray(self.t), True, self.kernel)
         for name, (value, rate) in zip(names, y, strict=True):
             if self.varied.graph.wrapped(name):
                 value = self._track(name, value, rate)
@@ -92,43 +92,43 @@ class Bunch:
 
     def rates(self, what: What, who: Who, t: Array) -> tuple[Array, Array]:
         """A curve and its rate at times of some samples: (n,) each."""
-        value, rate = self._at(what, who, t, 1)
+        value, rate = self._values_at(what, who, t, 1)
         return value, rate
 
     def all_rates(self, what: Sequence[What], who: Who, t: Array) -> list[tuple[Array, Array]]:
         """The same of several curves, whose signals are computed together."""
-        rows, given = self._looked(what, who, t, 1), self._given(who)
+        rows, given = self._looked(what, who, t, 1), self._parameters_of(who)
         return [(y[0], y[1]) for y in (self._combined(one, t, rows, given, 1) for one in what)]
 
     def values(self, what: What, who: Who, t: Array) -> Array:
         """A curve at times of some samples: (n,)."""
-        return self._at(what, who, t, 0)[0]
+        return self._values_at(what, who, t, 0)[0]
 
-    def _at(self, what: What, who: Who, t: Array, order: int) -> tuple[Array, ...]:
+    def _values_at(self, what: What, who: Who, t: Array, order: int) -> tuple[Array, ...]:
         if not t.size:
             return (t,) * (order + 1)
-        return self._combined(what, t, self._looked([what], who, t, order), self._given(who), order)
+        return self._combined(what, t, self._looked([what], who, t, order), self._parameters_of(who), order)
 
     def _looked(self, what: Sequence[What], who: Who, t: Array, order: int) -> dict[Named, tuple[Array, ...]]:
         """The rows that some curves are made of, at times of some samples."""
         names, rows = self.names(what), dict[Named, tuple[Array, ...]]()
         if names:
-            for name, row in zip(names, self._asked(names, who, t, bool(order)), strict=True):
+            for name, row in zip(names, self._evaluated(names, who, t, bool(order)), strict=True):
                 if self.varied.graph.wrapped(name):
                     row[0] += 2 * np.pi * whole_turns(row[0], self._near(name, who, t))
                 rows[name] = tuple(row)
         return rows
 
-    def _given(self, who: Who) -> dict[str, Any]:
+    def _parameters_of(self, who: Who) -> dict[str, Any]:
         """The parameters of some samples."""
         own = self.quantities.parameters.items()
         return {name: value[who] if isinstance(value, np.ndarray) else value for name, value in own}
 
-    def _asked(self, names: Sequence[Named], who: Who, t: Array, rates: bool) -> Array:
+    def _evaluated(self, names: Sequence[Named], who: Who, t: Array, rates: bool) -> Array:
         """Rows at times of some samples: (names, 1 or 2, n)."""
         shape = (len(names), 2 if rates else 1, -1)
         if not self._pursued:
-            return self.varied.at(names, self.p[:, who], t[:, None], rates, self.kernel).reshape(shape)
+            return self.varied.signals_at(names, self.p[:, who], t[:, None], rates, self.kernel).reshape(shape)
         # What is followed from the start is followed once for all samples if they stay together.
         order = np.argsort(who, kind="stable")
         counts = np.bincount(who, minlength=self.samples)
@@ -136,7 +136,7 @@ class Bunch:
         column[order] = np.arange(who.size) - np.repeat(np.cumsum(counts) - counts, counts)
         times = np.repeat(self.stop[:, None], counts.max() + 1, axis=1)
         times[who, column] = t
-        return self.varied.at(names, self.p, times, rates, self.kernel).reshape(*shape[:2], *times.shape)[
+        return self.varied.signals_at(names, self.p, times, rates, self.kernel).reshape(*shape[:2], *times.shape)[
             :, :, who, column
         ]
 

@@ -110,7 +110,7 @@ def certify(run: Run) -> Certificate:
 
 
 def _changes(run: Run, group: str) -> tuple[float, ...]:
-    passages = [p for p in run.compiled.passages.of(group) if not p.at_start]
+    passages = [p for p in run.compiled.passages.of_group(group) if not p.at_start]
     return tuple(p.time for p in passages if run.start <= p.time <= run.stop)
 
 
@@ -204,7 +204,7 @@ def worked(run: Run, lows: Array, highs: Array) -> Array:
     """Work of drives, loads and dampers on each panel, and the sum of its terms' sizes: (2, panels)."""
     t, weight = panel_points(lows, highs)
     r = Reports(run.compiled, t)
-    terms = np.array([*r.drive_powers(), *r.powers_of([*r.lost()])])
+    terms = np.array([*r.drive_powers(), *r.powers_of([*r.dissipative_forces()])])
     rates = np.array([terms.sum(axis=0), np.abs(terms).sum(axis=0)]) * weight
     return np.asarray(rates.reshape(2, lows.size, -1).sum(axis=2))
 
@@ -234,7 +234,7 @@ def jacobian(r: Reports, constraints: list[list[Rate]], pose: int) -> Array:
                 own[2] += rate.factor
                 continue
             x, y = rate.factor * rate.direction[:, pose]
-            arm = (rate.place - r.at(rate.link, (0.0, 0.0)))[:, pose] / size
+            arm = (rate.place - r.point_position(rate.link, (0.0, 0.0)))[:, pose] / size
             own += [x, y, y * arm[0] - x * arm[1]]
     return rows
 

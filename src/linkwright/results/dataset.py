@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.units import TIME, Dimension
-from linkwright.model.csv_text import cell, head, written
+from linkwright.model.csv_text import cell, head, table_text
 
 if TYPE_CHECKING:
     from linkwright.findings import Finding
@@ -71,7 +71,7 @@ class Dataset:
         """The variables over an axis as a table, a row for each value; ``None`` where there are none."""
         some = self.over(axis)
         rows = zip(*(variable.cells() for variable in some), strict=True)
-        return written([variable.head for variable in some], ([*map(cell, row)] for row in rows)) if some else None
+        return table_text([variable.head for variable in some], ([*map(cell, row)] for row in rows)) if some else None
 
     def netcdf(self) -> bytes:
         """All of it as a netCDF file.
@@ -143,10 +143,10 @@ def variable_name(name: str) -> str:
 
 def si_unit(dimension: Dimension) -> str:
     """The SI unit of a dimension."""
-    from linkwright.expressions.units import PURE, UnitError, spelled
+    from linkwright.expressions.units import PURE, UnitError, unit_text
 
     try:
-        return spelled(dimension, {}, strict=False)
+        return unit_text(dimension, {}, strict=False)
     except UnitError:
         return "" if dimension.physical == PURE else "SI"
 

@@ -77,7 +77,7 @@ def kinks(compiled: Compiled, varied: Iterable[str] = ()) -> list[Node]:
     found = dict.fromkeys(switch for law in laws for node in nodes(law) for switch in switches(node))
     found |= dict.fromkeys(law_joins(compiled, varied))
     found |= dict.fromkeys(way.node for way in compiled.graph.actions.breaks if not way.jumps)
-    paired = ((name, follower) for name, follower in m.followers.items() if follower.paired)
+    paired = ((name, follower) for name, follower in m.followers.items() if follower.has_second_contact)
     found |= dict.fromkeys(Name(f"{name}.{follower.effort}") for name, follower in paired)  # the other contact bears
     functions = {*m.tables, *m.laws}
     asked = {node: {n.name for n in nodes(node) if isinstance(n, Call) and n.name in functions} for node in found}
@@ -93,7 +93,7 @@ def law_joins(compiled: Compiled, varied: Iterable[str] = (), rough: int = ROUGH
     found = [way for node in calls for way in joins(compiled.motions, node, varied, rough)]
     for name, joint in compiled.mechanism.joints_but_pins():
         for attribute, places in joint.joins.items():
-            at = (geometry.bound(place, joint.signals[attribute]) for place in places)
+            at = (geometry.bind(place, joint.signals[attribute]) for place in places)
             found += [Binary("-", Name(f"{name}.{attribute}"), place) for place in at]
     return found
 

@@ -85,7 +85,7 @@ class Reports:
         c, s = (np.ones(self.count), np.zeros(self.count)) if link == FRAME else self.of_body(link, "cos", "sin")
         return np.array([c * local[0] - s * local[1], s * local[0] + c * local[1]])
 
-    def at(self, link: str, local: Any) -> Array:
+    def point_position(self, link: str, local: Any) -> Array:
         """A link's point in the frame (m)."""
         turned = self.turned(link, local)
         return turned if link == FRAME else self.of_body(link, "x", "y") + turned
@@ -93,7 +93,7 @@ class Reports:
     def line(self, joint: str, link: str) -> tuple[Array, Array]:
         """Point and direction of a prismatic joint's line on one of its links."""
         point, heading = self.geometry.line(joint, link)
-        return self.at(link, point), self.turned(link, heading)
+        return self.point_position(link, point), self.turned(link, heading)
 
     @property
     def motions(self) -> dict[str, StatedMotion]:
@@ -107,7 +107,11 @@ class Reports:
     def size(self) -> float:
         """The mechanism's extent over all poses (m)."""
         links = self.mechanism.links.items()
-        points = [self.at(link, self.geometry.point(link, point)) for link, entry in links for point in entry.points]
+        points = [
+            self.point_position(link, self.geometry.point(link, point))
+            for link, entry in links
+            for point in entry.points
+        ]
         every = np.concatenate(points, axis=1)
         return float(np.hypot(*np.ptp(every, axis=1))) or 1.0
 
@@ -116,7 +120,7 @@ class Reports:
         if link == FRAME:
             return np.zeros((2, self.count))
         point = self.home(link)
-        arm = place - self.at(link, self.geometry.point(link, point))
+        arm = place - self.point_position(link, self.geometry.point(link, point))
         return np.asarray(self.vector(f"{point}.v") + self.rows[f"{link}.omega"] * np.array([-arm[1], arm[0]]))
 
     # Forces.
@@ -128,16 +132,16 @@ class Reports:
         for link in self.masses:
             mass, centre, inertia = self.geometry.mass(link)
             force = float(mass) * (g - self.vector(f"com({link}).a"))
-            found.append((link, force, self.at(link, centre), -float(inertia) * self.rows[f"{link}.alpha"]))
+            found.append((link, force, self.point_position(link, centre), -float(inertia) * self.rows[f"{link}.alpha"]))
         return found
 
     def acting(self) -> list[Applied]:
         """What springs, loads and the like do to all their links, from the reported poses and rates."""
         return [found for one in self.every for found in one.kind.applied(self, one.name, one.entry)]
 
-    def lost(self) -> list[Applied]:
+    def dissipative_forces(self) -> list[Applied]:
         """The part of that whose work no energy keeps."""
-        return [found for one in self.every for found in one.kind.lost(self, one.name, one.entry)]
+        return [found for one in self.every for found in one.kind.dissipative_forces(self, one.name, one.entry)]
 
     def misfits(self) -> list[Misfit]:
         """By what they report of themselves misses what the motion makes of them."""

@@ -192,11 +192,11 @@ class Run:
     def _track(self, name: str) -> tuple[Array, Array]:
         """The continuous angle on a grid fine enough that no step turns further than :data:`MAX_TURN`; over one turn of
         the drive where a run with very many turns repeats itself."""
-        if (grid := self._followed(name, 1.0)) is not None:
+        if (grid := self._unwrapped_angle(name, 1.0)) is not None:
             return grid
         if (turn := self._turn_of_drive()) is not None:
             share = turn / (self.stop - self.start)
-            if (grid := self._followed(name, share)) is not None:
+            if (grid := self._unwrapped_angle(name, share)) is not None:
                 self._repeating.add(name)
                 return grid
         self.lost.add(name)
@@ -227,7 +227,7 @@ class Run:
         """The grid over the first ``part`` of the run that an angle is followed on first."""
         return np.linspace(0.0, part, max(self.steps, 64) + 1)
 
-    def _followed(self, name: str, part: float) -> tuple[Array, Array] | None:
+    def _unwrapped_angle(self, name: str, part: float) -> tuple[Array, Array] | None:
         """The continuous angle over the first ``part`` of the run, on a grid that is halved where a step turns too far;
         ``None`` where it turns too often."""
         names = [name, _rate(name)]
@@ -289,26 +289,26 @@ def expressed(
 ) -> Jet:
     """The same with entries as they come out; those of ``rows`` and ``given`` may be duals."""
     parameters = compiled.quantities.parameters if given is None else given
-    time = Jet([t, np.ones_like(t)]).cut(order)
+    time = Jet([t, np.ones_like(t)]).truncated(order)
 
-    def named(name: Name) -> Any:
+    def name_value(name: Name) -> Any:
         if is_signal(name):
             return Jet([*rows[name.text]])
         return time if name.text == "t" else parameters[name.text]
 
-    def called(call: Call) -> Jet:
+    def call_value(call: Call) -> Jet:
         if is_signal(call):
             return Jet([*rows[compiled.quantities.signals.find(call).text]])
-        argument = evaluate(call.args[0], named, called)
+        argument = evaluate(call.args[0], name_value, call_value)
         return (
             compiled.tables[call.name]
-            .given(parameters)
+            .at_parameters(parameters)
             .or_nan(argument if isinstance(argument, Jet) else Jet.constant(argument, order))
         )
 
     try:
         with np.errstate(all="ignore"):
-            value = evaluate(node, named, called)
+            value = evaluate(node, name_value, call_value)
     except ZeroDivisionError:
         value = np.nan
     return value if isinstance(value, Jet) else Jet.constant(value, order)

@@ -25,16 +25,16 @@ class _Sample(Compiled):
         self.quantities.parameters = dict(zip(varied.graph.parameters, p.tolist(), strict=True))
         if not np.isnan(p).any():
             own = self.quantities.parameters
-            self.motions = {name: law.given(own) for name, law in self.motions.items()}  # type: ignore[misc]
+            self.motions = {name: law.at_parameters(own) for name, law in self.motions.items()}  # type: ignore[misc]
         self.varied, self.parameters, self.kernel = varied, p, kernel
 
     def evaluate(self, names: Sequence[Named], t: Array, rates: bool = False) -> Array:
         """The named rows at times ``t``, as :class:`Varied` gives them."""
         shape = (len(names), 2, t.size) if rates else (len(names), t.size)
-        return self.varied.at(names, self.parameters[:, None], t[None], rates, self.kernel).reshape(shape)
+        return self.varied.signals_at(names, self.parameters[:, None], t[None], rates, self.kernel).reshape(shape)
 
 
-def alone(varied: Varied, run: Run, p: Array, stop: float, kernel: str = "numpy") -> Run:
+def sample_run(varied: Varied, run: Run, p: Array, stop: float, kernel: str = "numpy") -> Run:
     """A run of the sample ``p`` (parameters,) up to ``stop`` (s), looked at as closely as ``run``."""
     found = Run(_Sample(varied, p, kernel), run.start, stop, run.steps)
     found.grid = run.grid

@@ -13,7 +13,7 @@ from linkwright.findings import Finding
 from linkwright.groups import REGISTRY
 from linkwright.model.mechanism import Mechanism
 from linkwright.structure.placed import PlacedLinks
-from linkwright.structure.refusals import apart, redundant, unsolved
+from linkwright.structure.refusals import immovable_outputs, redundant, unsolved
 from linkwright.structure.steps import Chain, Driven, Group, HigherGroup, LinkPlacement, Step, Structure, Wedge
 from linkwright.structure.topology import FREEDOMS, PIN, Connection, Topology
 
@@ -30,8 +30,8 @@ class _GroupSearch(PlacedLinks):
             while self.drive_one() or self.group_one() or self.wedge_one() or self.higher_group_one():
                 pass
             self.findings += unsolved(self)
-            if not self.left and not self.findings:
-                self.findings += [*redundant(self.topology, self.steps), *apart(self.topology, self.steps)]
+            if not self.remaining_links and not self.findings:
+                self.findings += [*redundant(self.topology, self.steps), *immovable_outputs(self.topology, self.steps)]
         return Structure(self.topology, tuple(self.steps), tuple(self.findings))
 
     def note(self, code: str, path: tuple[str, ...], **data: object) -> None:
@@ -49,7 +49,7 @@ class _GroupSearch(PlacedLinks):
     def find_drives(self) -> None:
         for name, own in self.topology.mechanism.movers.items():
             path = self.topology.mechanism.path_of(name)
-            acting, moved = (own, self.topology.acting(name)), (self.drive(name), self.topology.driven(name))
+            acting, moved = (own, self.topology.acting(name)), (self.drive(name), self.topology.drivable_joints(name))
             for drive, options in [acting, moved] if own.output else [acting]:
                 if not options:
                     kind = "revolute" if drive.turns else "prismatic"
@@ -80,7 +80,7 @@ class _GroupSearch(PlacedLinks):
         outers = {link: {c.joint: (at, c) for at in body for c in hanging[at]} for link, body in held.items()}
         single = {link: next(iter(outer.values())) for link, outer in outers.items() if len(outer) == 1}
         for a in single:
-            for inner in self.topology.at(a):
+            for inner in self.topology.connections_of(a):
                 if not inner.kind.places or not self.free(inner) or inner.joint in pinned:
                     continue
                 b = inner.other(a)
@@ -107,7 +107,7 @@ class _GroupSearch(PlacedLinks):
 
     def held_bodies(self) -> list[list[str]]:
         """The unknown links as bodies: those that drives hold on each other together."""
-        bodies = {link: [link] for link in self.left}
+        bodies = {link: [link] for link in self.remaining_links}
         for joint in self.joints.values():
             if joint.a in bodies and joint.b in bodies and bodies[joint.a] is not bodies[joint.b]:
                 merged = [*bodies[joint.a], *bodies[joint.b]]
@@ -129,8 +129,8 @@ class _GroupSearch(PlacedLinks):
 
     def higher_group_one(self) -> bool:
         """Solve the smallest set of links that hangs on known ones with no freedom left."""
-        self.together = self.together if self.together is not None else self.freedoms().together
-        rank = {link: i for i, link in enumerate(self.left)}
+        self.together = self.together if self.together is not None else self.freedoms().supporting_links
+        rank = {link: i for i, link in enumerate(self.remaining_links)}
         parts = {tuple(sorted(of & rank.keys(), key=rank.__getitem__)) for link, of in self.together.items()}
         solved = [part for part in parts if len(part) > 1 or any(map(self.on_higher_pairs, part))]
         for part in sorted(solved, key=lambda part: (len(part), [rank[link] for link in part])):
@@ -140,7 +140,7 @@ class _GroupSearch(PlacedLinks):
 
     def on_higher_pairs(self, link: str) -> bool:
         """Whether a link has joints by which no link is placed, so that a group of this link alone takes Newton."""
-        return not all(c.kind.places for c in self.topology.at(link))
+        return not all(c.kind.places for c in self.topology.connections_of(link))
 
     def tree(self, part: tuple[str, ...]) -> HigherGroup | None:
         """A placing order of the links, drives inside first; ``None`` where the links don't hang together."""
@@ -150,7 +150,10 @@ class _GroupSearch(PlacedLinks):
         todo = dict.fromkeys(part)
         while todo:
             options = [
-                (c, link) for link in todo for c in self.topology.at(link) if c.kind.places and c.other(link) in placed
+                (c, link)
+                for link in todo
+                for c in self.topology.connections_of(link)
+                if c.kind.places and c.other(link) in placed
             ]
             if not options:
                 return None

@@ -55,7 +55,7 @@ class Freedoms:
             if len(tie.ends) > 1:
                 self._excess += filter(None, (self._laid.lay(*tie.ends) for _ in range(tie.rows)))
         self._laid.gather((GROUND,), BODY)
-        self._laid.settle(node for node in outwards if node[0] == "links")
+        self._laid.gather_pebbles(node for node in outwards if node[0] == "links")
 
     def _size(self, node: Node) -> int:
         return BODY if node[0] == "links" else PLACE
@@ -95,7 +95,7 @@ class Freedoms:
         return list(found)
 
     @cached_property
-    def together(self) -> dict[str, frozenset[str]]:
+    def supporting_links(self) -> dict[str, frozenset[str]]:
         """Of each link that isn't loose, those that it hangs on, itself included: to be placed with it or before it."""
         free = [node for node, count in self._laid.free.items() if count and node != GROUND]
         loose = self._laid.hanging(free)

@@ -37,25 +37,27 @@ def loops_of_four(topology: Topology) -> list[Loop]:
 def _loops(topology: Topology) -> Iterator[Loop]:
     rank = {link: i for i, link in enumerate(topology.mechanism.links)}
     for a in rank:
-        ways = [(c.other(a), c) for c in topology.at(a) if c.kind.places and rank[c.other(a)] > rank[a]]
+        ways = [(c.other(a), c) for c in topology.connections_of(a) if c.kind.places and rank[c.other(a)] > rank[a]]
         for b, first in ways:
             for d, last in ways:
                 if not rank[b] < rank[d] or first.joint == last.joint:
                     continue
-                yield from _closed(topology, (a, b, d), first, last)
+                yield from _four_bar_loops(topology, (a, b, d), first, last)
 
 
-def _closed(topology: Topology, links: tuple[str, str, str], first: Connection, last: Connection) -> Iterator[Loop]:
+def _four_bar_loops(
+    topology: Topology, links: tuple[str, str, str], first: Connection, last: Connection
+) -> Iterator[Loop]:
     """The loops over two links on the first one, by each link that ties these two."""
     a, b, d = links
     rank = list(topology.mechanism.links).index
-    for second in topology.at(b):
+    for second in topology.connections_of(b):
         if not second.kind.places:
             continue
         c = second.other(b)
         if c in links or rank(c) < rank(a):
             continue
-        for third in filter(lambda joint: joint.kind.places, topology.at(c)):
+        for third in filter(lambda joint: joint.kind.places, topology.connections_of(c)):
             joints = (first, second, third, last)
             if third.other(c) == d and len({joint.joint for joint in joints}) == 4:
                 yield Loop((a, b, c, d), joints)

@@ -53,7 +53,7 @@ class Orientation(Generic[Node]):
         wanting = most - sum(self.free[end] for end in ends)
         return all(any(self._draw(end, ends) for end in ends) for _ in range(wanting))
 
-    def settle(self, nodes: Iterable[Node]) -> None:
+    def gather_pebbles(self, nodes: Iterable[Node]) -> None:
         """Bring free pebbles to the first of some nodes where they can be, then to the next."""
         kept: set[Node] = set()
         for node in nodes:

@@ -22,7 +22,7 @@ class PlacedLinks:
     joints: dict[str, Connection] = field(default_factory=dict)
 
     @property
-    def left(self) -> list[str]:
+    def remaining_links(self) -> list[str]:
         """The links not placed yet."""
         return [link for link in self.topology.moving if link not in self.known]
 
@@ -36,7 +36,7 @@ class PlacedLinks:
 
     def outers(self, link: str) -> list[Connection]:
         """The joints by which an unknown link hangs on known ones; a pin counts once, through its first known link."""
-        at = [c for c in self.topology.at(link) if c.kind.places]
+        at = [c for c in self.topology.connections_of(link) if c.kind.places]
         hung = [c for c in at if c.other(link) in self.known and self.free(c)]
         found: dict[str, Connection] = {}
         for c in sorted(hung, key=lambda c: self.known[c.other(link)]):
@@ -81,7 +81,7 @@ class PlacedLinks:
             part = {*front}
             while front:
                 link = front.pop()
-                fresh = {other for c in self.topology.at(link) for other in c.links} & todo.keys() - part
+                fresh = {other for c in self.topology.connections_of(link) for other in c.links} & todo.keys() - part
                 part |= fresh
                 front += fresh
             for link in part:

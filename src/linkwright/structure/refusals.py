@@ -26,7 +26,7 @@ def unsolved(placed: PlacedLinks) -> Iterator[Finding]:
         if drive.link in placed.known:
             path = placed.topology.mechanism.path_of(name)
             yield Finding("structure.drive-too-many", path, {"link": drive.link, "on": drive.on})
-    if not placed.left:
+    if not placed.remaining_links:
         return
     freedoms = placed.freedoms()
     full = list(freedoms.overfull())
@@ -34,7 +34,7 @@ def unsolved(placed: PlacedLinks) -> Iterator[Finding]:
         yield Finding("structure.overconstrained", ("links", links[0]), {"links": ", ".join(links), "excess": excess})
     crowded = {link for links, _ in full for link in links}
     unpinned: set[object] = set()
-    parts = [(part, freedoms.loose(part)) for part in placed.parts(placed.left)]
+    parts = [(part, freedoms.loose(part)) for part in placed.parts(placed.remaining_links)]
     # Where so many freedoms are left as one pin takes, that one is looked for by less of its spelling.
     one_pin = sum(sum(free.values()) for _, free in parts) == PIN.rows and not full
     for part, free in parts:
@@ -110,7 +110,7 @@ def redundant(topology: Topology, steps: Sequence[Step]) -> Iterator[Finding]:
             yield Finding("structure.redundant", ("joints", name), {"joint": name, "links": ", ".join(joined)})
 
 
-def apart(topology: Topology, steps: Sequence[Step]) -> Iterator[Finding]:
+def immovable_outputs(topology: Topology, steps: Sequence[Step]) -> Iterator[Finding]:
     """Drives that can't move the outputs asked of them, since these don't move the drives' own joints.
 
     Each needs an output of its own that moves its joint (with several drives not its own one by need).
@@ -122,16 +122,16 @@ def apart(topology: Topology, steps: Sequence[Step]) -> Iterator[Finding]:
     drives = {name: drive for name, drive in topology.mechanism.drives.items() if drive.output}
     taken: dict[str, str] = {}
 
-    def take(name: str, tried: set[str]) -> bool:
+    def assign_output(name: str, tried: set[str]) -> bool:
         """An output for the drive, by turns with drives that can take another one (augmenting paths)."""
         for output in (moved_by[drives[name].link] | moved_by[drives[name].on]) & drives.keys() - tried:
             tried.add(output)
-            if output not in taken or take(taken[output], tried):
+            if output not in taken or assign_output(taken[output], tried):
                 taken[output] = name
                 return True
         return False
 
     for name, drive in drives.items():
-        if not take(name, set()):
+        if not assign_output(name, set()):
             data = {"output": drive.output, "link": drive.link, "on": drive.on}
             yield Finding("structure.output-apart", ("drives", name, "output"), data)

@@ -98,16 +98,16 @@ class Topology:
         return frozenset(found)
 
     @cached_property
-    def _at(self) -> dict[str, list[Connection]]:
+    def _connections_by_link(self) -> dict[str, list[Connection]]:
         found: dict[str, list[Connection]] = {link: [] for link in self.mechanism.links}
         for c in self.connections:
             for link in c.links:
                 found[link].append(c)
         return found
 
-    def at(self, link: str) -> list[Connection]:
+    def connections_of(self, link: str) -> list[Connection]:
         """The connections of a link."""
-        return self._at[link]
+        return self._connections_by_link[link]
 
     @cached_property
     def pinned(self) -> int:
@@ -141,7 +141,7 @@ class Topology:
         """The number of independent loops, j - n."""
         return self.joint_count - len(self.moving)
 
-    def driven(self, drive: str) -> list[Connection]:
+    def drivable_joints(self, drive: str) -> list[Connection]:
         """The joints whose motion a drive can prescribe: its own, or that of its output."""
         entry = self.mechanism.prescribed(drive)
         joints = self._between(entry)

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from linkwright.expressions.language import Node
 from linkwright.graph.rows import determinants, reaches, spans
 from linkwright.kernels.parameter_batch import Varied
-from linkwright.measures import BoundMeasure, MeasureResult, bound, measure_all
+from linkwright.measures import BoundMeasure, MeasureResult, bound_measures, measure_all
 from linkwright.measures.features import features
 from linkwright.reductions import Figures
 from linkwright.results import Run
@@ -63,7 +63,7 @@ class Measuring:
     ) -> None:
         self.varied, self.run, self.kernel = varied, run, kernel
         self.quantities, self.graph = run.compiled.quantities, run.compiled.graph
-        self.measures = bound(self.quantities) if measures is None else measures
+        self.measures = bound_measures(self.quantities) if measures is None else measures
         structure = run.compiled.structure
         self.reaches, self.spans, self.determinants = reaches(structure), spans(structure), determinants(structure)
         self.pressures = [row for row, _ in angles(run.compiled)]
@@ -84,7 +84,7 @@ class Measuring:
 
     def _singly(self, measure: BoundMeasure) -> bool:
         """Whether a measure is taken of one sample after the other."""
-        if measure.kind.needs(measure.entry) is None:
+        if measure.kind.needed_extremes(measure.entry) is None:
             return True
         signals = [self.graph.signal(text) for text in self.run.signals_of(measure.nodes)]
         if any(signal.kind == "pole" for signal in signals):

@@ -138,13 +138,15 @@ def _through(run: Run, touches: list[_Touch], names: Sequence[Named]) -> tuple[R
     for i in range(len(passages)):
         for halving in range(HALVINGS):
             tried = replace(passages[i], width=passages[i].width / 2**halving)
-            poles = _settled(run.compiled.carried(Passages((*passages[:i], tried, *passages[i + 1 :]))), tried, names)
+            poles = _settled(
+                run.compiled.with_passages(Passages((*passages[:i], tried, *passages[i + 1 :]))), tried, names
+            )
             if poles is not None:
                 passages[i] = replace(tried, poles=poles)
                 break
         else:
             failed.append(_finding(run, "motion.cannot-carry", passages[i], "error"))
-    compiled = run.compiled.carried(Passages(tuple(passages)))
+    compiled = run.compiled.with_passages(Passages(tuple(passages)))
     return Run(compiled, run.start, run.stop, run.steps), failed
 
 
@@ -152,7 +154,7 @@ def _settled(compiled: Compiled, passage: Passage, names: Sequence[Named]) -> di
     """The signals that grow without bound and the power by which; ``None`` where the band doesn't hold."""
     t = passage.time + GAP * passage.width * np.array([-1.0, -0.5, 0.5, 1.0])
     try:
-        reach = compiled.closed([ReachRow(group) for group in passage.groups], t)
+        reach = compiled.closed_form_rows([ReachRow(group) for group in passage.groups], t)
         if not reach.min() > TOUCH:
             return None
         growth = np.log2(reach[:, [0, 3]] / reach[:, [1, 2]])  # fourfold at twice the time
@@ -167,7 +169,10 @@ def _proven(compiled: Compiled, passage: Passage, names: Sequence[Named], most: 
     """The powers of the signals that grow without bound; ``None`` where some aren't told by the poses around."""
     t = passage.proof
     angles = [i for i, name in enumerate(names) if compiled.graph.wrapped(name)]
-    values, exact = unwrapped(compiled.closed(names, passage.nodes), angles), compiled.closed(names, t)
+    values, exact = (
+        unwrapped(compiled.closed_form_rows(names, passage.nodes), angles),
+        compiled.closed_form_rows(names, t),
+    )
     signals = compiled.graph.signals(names)
     dimensions = [u.PURE if signal is None else signal.dimension for signal in signals]
     allowed = _allowed(compiled, passage, dimensions, np.abs(values).max(axis=1))

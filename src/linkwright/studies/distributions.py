@@ -85,8 +85,8 @@ class Listed(Written):
     def read(self, raw: Any) -> None:
         if len(raw) < 2:
             raise fault("study.one-value", count=len(raw))
-        self.put("raw", tuple(raw))
-        self.put("values", tuple(Expression(value) for value in raw))
+        self.set_attribute("raw", tuple(raw))
+        self.set_attribute("values", tuple(Expression(value) for value in raw))
 
     def quantities(self) -> TypedParts:
         return [(value, None) for value in self.values]

@@ -122,7 +122,7 @@ def _times(run: Run, rows: Sequence[Named]) -> Array:
 def _explained(run: Run, one: Acting, bad: Array) -> Finding:
     """Why something has no value at some times: a table asked for what it doesn't hold, or else."""
     compiled, quantities = run.compiled, run.compiled.quantities
-    tables = compiled.graph.actions.asked(one)
+    tables = compiled.graph.actions.needed_tables(one)
     for i, lookup in enumerate(compiled.graph.actions.lookups):
         table = compiled.tables[lookup.table]
         if lookup.table not in tables or table.period is not None:

@@ -10,7 +10,7 @@ def output_signals(compiled: Compiled) -> list[str]:
     """The angles of all links hinged on the frame and the travels of all slides, but those that a drive holds."""
     m, topology = compiled.mechanism, compiled.structure.topology
     moved = {name: m.prescribed(name) for name in m.movers}
-    driven = {topology.driven(name)[0].joint: {drive.link, drive.on} for name, drive in moved.items()}
+    driven = {topology.drivable_joints(name)[0].joint: {drive.link, drive.on} for name, drive in moved.items()}
     found = []
     for pin in topology.pins.values():
         if FRAME in pin.links:

@@ -15,7 +15,7 @@ from linkwright.model.bound_window import BoundWindow
 from linkwright.reductions import Figures, Measure
 from linkwright.results.batch_run import Bunch, What
 from linkwright.results.batch_windows import Spans, Windows, spans
-from linkwright.results.single_sample import alone
+from linkwright.results.single_sample import sample_run
 from linkwright.studies.assembly_checks import SINGULAR, TOUCH
 from linkwright.studies.batch_extremes import peaks
 from linkwright.studies.batch_quadrature import corners, mean
@@ -82,7 +82,9 @@ class Taken:
                 unknown = many.failed | ~np.isfinite(figures.values)
                 figures.values[unknown] = figures.times[unknown] = np.nan
             if measure.requirement is not None:
-                many.met[measure.name] = measure.met(self.bunch.quantities, [figures.values for figures in found])
+                many.met[measure.name] = measure.requirement_met(
+                    self.bunch.quantities, [figures.values for figures in found]
+                )
         return many
 
     def close(self, what: Sequence[What]) -> Mask:
@@ -133,7 +135,7 @@ class Taken:
     def wanted(self) -> Iterator[Extreme]:
         """The extremes that the measures need: curve, window, sign."""
         for measure in self.measuring.shared:
-            for key, sign in measure.kind.needs(measure.entry) or ():
+            for key, sign in measure.kind.needed_extremes(measure.entry) or ():
                 yield measure.trees[key], measure.window, sign
 
     def blank(self, measure: BoundMeasure) -> dict[str, Figures]:
@@ -153,7 +155,7 @@ class Taken:
         """Put in what is taken of some samples one after the other."""
         bunch = self.bunch
         for i in np.flatnonzero(some) if measures else ():
-            run = alone(bunch.varied, bunch.run, bunch.p[:, i], float(bunch.stop[i]), bunch.kernel)
+            run = sample_run(bunch.varied, bunch.run, bunch.p[:, i], float(bunch.stop[i]), bunch.kernel)
             for result in measure_all(run, measures)[0]:
                 found = {f.label: f for f in result.found}
                 for label, figures in many.figures[result.name].items():
@@ -184,7 +186,7 @@ class SampledMeasure:
         return np.asarray(np.bincount(owner, b - a, self.taken.bunch.samples), dtype=float)
 
     @property
-    def ends(self) -> tuple[Array, Array]:
+    def window_ends(self) -> tuple[Array, Array]:
         """Where each one's window begins and ends (s)."""
         return self._window.first, self._window.last
 

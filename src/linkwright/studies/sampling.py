@@ -15,7 +15,7 @@ from linkwright.blocks.runners import opened
 from linkwright.findings import Finding, ModelError, Term
 from linkwright.kernels import KERNELS
 from linkwright.kernels.kernel_selection import KernelChoice, choose
-from linkwright.measures import BoundMeasure, bound
+from linkwright.measures import BoundMeasure, bound_measures
 from linkwright.model.origin import table_files
 from linkwright.results import Run
 from linkwright.studies.assembly_checks import singular, unassembled
@@ -112,7 +112,7 @@ def chosen(nominal: Run, options: Sampling, more: Sequence[BoundMeasure] = ()) -
     compiled, poses = nominal.compiled, samples * nominal.t.size
     quantities = compiled.quantities
     trees = [quantities.dimensions.bind(signal.node, None) for signal in options.signals(compiled)]
-    measures = [*bound(quantities, options.measures(compiled)), *more]
+    measures = [*bound_measures(quantities, options.measures(compiled)), *more]
     trees += [tree for measure in measures for tree in measure.trees.values()]
     program = compiled.graph.program(nominal.signals_of(trees), rates=bool(measures))
     return choose(program, poses, wish=options.kernel)

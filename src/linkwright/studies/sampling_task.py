@@ -24,7 +24,7 @@ from linkwright.kernels import Compiled
 from linkwright.kernels.parameter_batch import Varied
 from linkwright.kernels.registry import KERNELS
 from linkwright.kernels.versions import versions
-from linkwright.measures import BoundMeasure, bound
+from linkwright.measures import BoundMeasure, bound_measures
 from linkwright.model.document import Document, plain
 from linkwright.model.places import ExpressionPlace
 from linkwright.model.temporary import temporary_folder
@@ -125,7 +125,7 @@ class SampleTask:
         stop = span(compiled, options.cycle)[0]
         self.run = Run(compiled, 0.0, stop, options.steps)
         self.signals = SampledSignals(self.run, self.varied, [s.text for s in options.signals(compiled)], kernel)
-        measures = [*bound(compiled.quantities, options.measures(compiled)), *more]
+        measures = [*bound_measures(compiled.quantities, options.measures(compiled)), *more]
         self.figures = SampleFigures(self.run, self.varied, measures, kernel)
         self.cut = Cut(self.plan.samples, self.run.t.size if self.signals.texts else 1)
 

@@ -10,7 +10,7 @@ from pydantic import BaseModel, ValidationError
 from linkwright.expressions.unknown import near
 from linkwright.expressions.written import describe
 from linkwright.findings import Finding, Term
-from linkwright.model.faults import finding_of, written
+from linkwright.model.faults import finding_of, written_path
 
 
 class Optioned(Protocol):
@@ -64,7 +64,7 @@ def _wrong(code: str, owner: Optioned, place: tuple[str, str], entry: Mapping[st
     """A fault of an option as a finding: its own where the option has one, else what the type wants."""
     if (found := finding_of(fault, entry, owner.options, place)) is not None:
         return found
-    path = (*place, *written(fault["loc"], entry))
+    path = (*place, *written_path(fault["loc"], entry))
     key = ".".join(map(str, path[2:]))
     return Finding(code, path, {code.split(".")[0]: place[1], "key": key, "reason": _reason(fault)})
 

@@ -18,7 +18,7 @@ from linkwright.cam.cams_of_mechanism import disc, frame
 from linkwright.cam.contact import ContactPlace
 from linkwright.cam.form_closure import conjugate, yoke
 from linkwright.cam.loads import FollowerLoads, forces
-from linkwright.elements.cam_contact.second import rest
+from linkwright.elements.cam_contact.second import base_circle_position
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels.parameter_batch import Varied
 from linkwright.kernels.tangents import Tangents
@@ -224,7 +224,7 @@ def test_where_the_second_contact_rests() -> None:
         c = compiled_from(data)
         first = disc(c, "rider")
         drive, total = c.mechanism.followers["rider"], c.motions["lift"].extremes(0)[1].value
-        found = rest(Geometry(c.quantities, c.quantities.parameters), drive, total)
+        found = base_circle_position(Geometry(c.quantities, c.quantities.parameters), drive, total)
         follower = other(first).disc.follower
         assert found == pytest.approx((follower.start, follower.base), rel=1e-11)
         if isinstance(how, dict) and "base" in how:

@@ -65,10 +65,10 @@ class BumpStop(ForceKind[BumpStopEntry]):
     def effort(self, entry: Any) -> str:
         return "push"
 
-    def uses(self, mechanism: Any, entry: Any) -> Iterator[Use]:
+    def implied_expressions(self, mechanism: Any, entry: Any) -> Iterator[Use]:
         yield Use("table", Expression(f"{entry.table}(1 m)"), u.FORCE, Scope.TIME)
 
-    def asked(self, name: str, entry: Any) -> tuple[AskedTable, ...]:
+    def needed_tables(self, name: str, entry: Any) -> tuple[AskedTable, ...]:
         return tuple(AskedTable(entry.table, Signal(f"{name}.distance"), integral) for integral in (False, True))
 
     def breaks(self, name: str, entry: Any, bind: Any) -> Iterator[Break]:
@@ -110,7 +110,7 @@ class BumpStop(ForceKind[BumpStopEntry]):
         force = push * (end - start) / np.hypot(*(end - start))
         return [(b, force, end, 0.0), (a, -force, start, 0.0)]
 
-    def lost(self, reports: Any, name: str, entry: Any) -> Any:
+    def dissipative_forces(self, reports: Any, name: str, entry: Any) -> Any:
         return []
 
     def misfits(self, reports: Any, name: str, entry: Any) -> list[Misfit]:
@@ -118,7 +118,9 @@ class BumpStop(ForceKind[BumpStopEntry]):
 
     def _seen(self, reports: Any, entry: Any) -> Any:
         geometry, found = reports.geometry, homes(reports.geometry.mechanism)
-        start, end = ((found[p], reports.at(found[p], geometry.point(found[p], p))) for p in entry.bump_stop)
+        start, end = (
+            (found[p], reports.point_position(found[p], geometry.point(found[p], p))) for p in entry.bump_stop
+        )
         x = np.hypot(*(end[1] - start[1]))
         pressed = float(geometry.number(entry.preload, u.FORCE)) * (x < float(geometry.number(entry.gap, u.LENGTH)))
         return start, end, pressed - reports.table(entry.table, x)
@@ -128,7 +130,7 @@ class BumpStop(ForceKind[BumpStopEntry]):
     def distance(self, entry: Any) -> str:
         return "distance"
 
-    def drawn(self, mechanism: Any, entry: Any) -> Between:
+    def outline(self, mechanism: Any, entry: Any) -> Between:
         return Between([homes(mechanism)[point] for point in entry.bump_stop], entry.bump_stop, "strut")
 
     def sentence(self, name: str, entry: Any, effort: float, shown: Any) -> Term:

@@ -39,7 +39,7 @@ class GearEntry(JointEntry):
     ratio: Annotated[Expression, Quantity(u.PURE, Sign.POSITIVE, "number")] = Field(description="teeth of b over a")
 
     @property
-    def ends(self) -> tuple[str, ...]:
+    def joint_points(self) -> tuple[str, ...]:
         return self.points
 
 
@@ -116,4 +116,9 @@ class GearOnCarrier(JointKind):
         force, moment = reports.reaction(contact)
         entry = reports.geometry.mechanism.joints[contact.joint]
         point = entry.points[entry.links.index(contact.link)]
-        return contact.link, -force, reports.at(contact.link, reports.geometry.point(contact.link, point)), -moment
+        return (
+            contact.link,
+            -force,
+            reports.point_position(contact.link, reports.geometry.point(contact.link, point)),
+            -moment,
+        )

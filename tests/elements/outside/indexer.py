@@ -67,10 +67,12 @@ class Indexer(Follower):
 
     def riding(self, geometry: Any, motions: Any) -> Riding:
         law = motions[self.entry.law]
-        return Riding(lambda at, angle: law.given(at.parameters).on(angle + at.number(self.entry.phase, u.ANGLE)))
+        return Riding(
+            lambda at, angle: law.at_parameters(at.parameters).on(angle + at.number(self.entry.phase, u.ANGLE))
+        )
 
     def tree(self, geometry: Any, motor: Any) -> Any:
-        return Call(self.entry.law, (Binary("+", motor, geometry.bound(self.entry.phase, u.ANGLE)),))
+        return Call(self.entry.law, (Binary("+", motor, geometry.bind(self.entry.phase, u.ANGLE)),))
 
     def calls(self, geometry: Any) -> list[Call]:
         return [self.tree(geometry, Signal(f"{self.motor}.angle"))]

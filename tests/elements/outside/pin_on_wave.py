@@ -39,7 +39,7 @@ class WaveEntry(JointEntry):
     length: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE, "length")] = Field(description="length of the wave")
 
     @property
-    def ends(self) -> tuple[str, ...]:
+    def joint_points(self) -> tuple[str, ...]:
         return self.pin, self.along.point
 
 
@@ -128,8 +128,8 @@ def seen(reports: Any, joint: str) -> tuple[Any, Any, Any]:
     angle = float(geometry.number(entry.along.angle, u.ANGLE))
     along = reports.turned(b, (np.cos(angle), np.sin(angle)))
     left = np.array([-along[1], along[0]])
-    place = reports.at(a, geometry.point(a, entry.pin))
-    away = place - reports.at(b, geometry.point(b, entry.along.point))
+    place = reports.point_position(a, geometry.point(a, entry.pin))
+    away = place - reports.point_position(b, geometry.point(b, entry.along.point))
     x, y = (away * along).sum(axis=0), (away * left).sum(axis=0)
     slope = height * 2 * np.pi / length * np.cos(2 * np.pi * x / length)
     size = np.hypot(1.0, slope)

@@ -53,7 +53,7 @@ class Drag(ForceKind[DragEntry]):
         yield entry.drag, Wrench(Pair(-c * at.x.d[1], -c * at.y.d[1]), moment, at.now)
 
     def applied(self, reports: Any, name: str, entry: Any) -> Any:
-        place = reports.at(entry.drag, reports.geometry.point(entry.drag, entry.at))
+        place = reports.point_position(entry.drag, reports.geometry.point(entry.drag, entry.at))
         force = -reports.value(entry.coefficient, u.DAMPING) * reports.velocity(entry.drag, place)
         ct = float(reports.geometry.number(entry.turning, u.TORSIONAL_DAMPING))
         return [(entry.drag, force, place, -ct * reports.rows[f"{entry.drag}.omega"])]
@@ -116,7 +116,7 @@ class Inerter(ForceKind[InerterEntry]):
         moment, nowhere = self._seen(reports, entry), np.zeros((2, reports.count))
         return [(entry.inerter, nowhere, nowhere, moment), ("frame", nowhere, nowhere, -moment)]
 
-    def lost(self, reports: Any, name: str, entry: Any) -> Any:
+    def dissipative_forces(self, reports: Any, name: str, entry: Any) -> Any:
         return []
 
     def misfits(self, reports: Any, name: str, entry: Any) -> list[Misfit]:

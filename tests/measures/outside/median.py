@@ -24,6 +24,6 @@ class Median(MeasureKind):
 
     entry = MedianEntry
 
-    def found(self, run: InRun) -> tuple[FoundFigure, ...]:
+    def run_figures(self, run: InRun) -> tuple[FoundFigure, ...]:
         times = [np.linspace(a, b, 1 + int(4e4 * (b - a) / run.length)) for a, b in run.intervals]
-        return (run.found("", float(np.median(run.values(np.concatenate(times))))),)
+        return (run.graded_figure("", float(np.median(run.values(np.concatenate(times))))),)

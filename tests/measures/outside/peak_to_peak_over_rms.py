@@ -40,10 +40,10 @@ class Peaky(MeasureKind):
     power = 2
     differentiable = True
 
-    def found(self, run: InRun) -> tuple[FoundFigure, ...]:
-        return (run.found("", (run.top().value - run.bottom().value) / np.sqrt(run.mean(2))),)
+    def run_figures(self, run: InRun) -> tuple[FoundFigure, ...]:
+        return (run.graded_figure("", (run.top().value - run.bottom().value) / np.sqrt(run.mean(2))),)
 
-    def needs(self, measure: Any) -> Sequence[tuple[str, float]]:
+    def needed_extremes(self, measure: Any) -> Sequence[tuple[str, float]]:
         return [("", -1.0), ("", 1.0)]
 
     def figures(self, samples: InSamples) -> dict[str, Figures]:
@@ -55,5 +55,5 @@ class Peaky(MeasureKind):
         rms = np.sqrt(total / length)
         widens = (slope - total / length * grows) / length / (2 * rms)
         low, high = (found.extreme(sign).places[0] for sign in (-1.0, 1.0))
-        span = found.here.top().value - found.here.bottom().value
+        span = found.nominal_run.top().value - found.nominal_run.bottom().value
         return [Derivative.smooth((high - low) / rms - span / rms**2 * widens)]

@@ -15,7 +15,7 @@ from helpers.differences import derivative
 from helpers.examples import four_bar
 from linkwright.cam.cams_of_mechanism import disc, frame
 from linkwright.compilation import examine
-from linkwright.kernels.manufactured_cam import cut
+from linkwright.kernels.manufactured_cam import with_cut_cams
 from linkwright.model.document import parse_document
 from linkwright.results import Run
 from linkwright.studies.accuracy.clearance import Plays
@@ -68,7 +68,7 @@ PLAY = {
 
 def found_of(data: dict[str, Any], clearances: dict[str, Any]) -> tuple[Plays, Any]:
     """Clearances of a linkage on a cam that is cut, and an output of it."""
-    compiled = cut(compiled_from(data))
+    compiled = with_cut_cams(compiled_from(data))
     found = Plays(compiled, Run(compiled, 0.0, 2 * np.pi / 7, 60), options(clearances))
     return found, tree(compiled, "0.6*T.x + 0.8*T.y")
 

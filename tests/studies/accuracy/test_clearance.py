@@ -18,7 +18,7 @@ from helpers.compiled import compiled_from
 from linkwright.expressions.language import Node, parse
 from linkwright.kernels import Compiled
 from linkwright.kernels.parameter_batch import Varied
-from linkwright.measures import bound, measure_all
+from linkwright.measures import bound_measures, measure_all
 from linkwright.model.document import load, plain
 from linkwright.results import Run
 from linkwright.studies.accuracy.clearance import Plays
@@ -182,7 +182,7 @@ def test_figures_over_all_directions() -> None:
     }
     sections = {"measures": measures, "windows": {"up": {"motor.angle": ["60 deg", "200 deg"]}}}
     found = plays(four_bar(**sections), {"A": 0.05})
-    effects, _ = play_effects(found, bound(found.compiled.quantities))
+    effects, _ = play_effects(found, bound_measures(found.compiled.quantities))
     turned = np.linspace(0, 2 * np.pi, 72, endpoint=False)
     still = {"B": "0 deg", "O4": "0 deg"}
     compiled = gapped(
@@ -304,7 +304,7 @@ def test_measures_add_up_what_the_curve_shows() -> None:
     }
     measures |= {"quiet": {"dwell": "P.x", "within": 1}, "moving": {"mean": "P.x", "window": "right"}}
     found = plays(four_bar(measures=measures, windows={"right": {"P.x": [40, 60]}}), PINS)
-    effects, lacking = play_effects(found, bound(found.compiled.quantities))
+    effects, lacking = play_effects(found, bound_measures(found.compiled.quantities))
     assert [*effects] == [("stroke", ""), ("ends", "min"), ("ends", "max"), ("mean", "")]
     assert [*lacking] == ["fast", "quiet", "moving"]
     assert {w.data["names"]: w.severity for w in unaffected(lacking | {"slow": lacking["fast"]})} == {
@@ -330,7 +330,7 @@ def test_no_joint_rests_beyond_the_bound() -> None:
     """The left end of the feeder's stroke is where reactions turn fast, and the place with them."""
     compiled = compiled_from(plain(load(EXAMPLES / "paper_feeder.yaml")))
     found = Plays(compiled, Run(compiled, 0.0, 1.5, 60), options(dict.fromkeys("ABCD", 0.001)))
-    effect = play_effects(found, bound(compiled.quantities, ["left_limit_angle"]))[0]["left_limit_angle", ""]
+    effect = play_effects(found, bound_measures(compiled.quantities, ["left_limit_angle"]))[0]["left_limit_angle", ""]
     assert effect.bound > 0
     assert all(abs(shift) <= effect.bounds[name] for name, shift in effect.shifts.items())
 
@@ -343,8 +343,8 @@ def test_an_outcome_is_given_its_plays() -> None:
     outcome = AccuracyOutcome(compiled, asked, run, deviations)
     slopes = Slopes(run, deviations.directions)
     outcome.curves = curves(run, slopes, deviations, ["P.y", "P.vy"])
-    every = figures(run, slopes, deviations, bound(compiled.quantities))
-    state_plays(outcome, asked, bound(compiled.quantities), every)
+    every = figures(run, slopes, deviations, bound_measures(compiled.quantities))
+    state_plays(outcome, asked, bound_measures(compiled.quantities), every)
     assert {name: figure.play is not None for name, figure in every.items()} == {
         "stroke": True,
         "ends min": True,

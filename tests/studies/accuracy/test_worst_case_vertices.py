@@ -11,7 +11,7 @@ import pytest
 
 import linkwright as lw
 from linkwright.expressions import units as u
-from linkwright.measures import bound
+from linkwright.measures import bound_measures
 from linkwright.results import Run
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
 from linkwright.studies.accuracy.outcome import OutputDeviations, SearchedWorstCase
@@ -168,7 +168,7 @@ def test_a_four_bar_s_swing(half: float, searched: bool) -> None:
     data: dict[str, Any] = four_bar(measures={"swing": {"span": "rocker.angle"}})
     compiled = lw.compile(lw.Document.model_validate(data))
     of = contributors(compiled, dict.fromkeys("abcd", (half, "uniform")))
-    evaluate = evaluating(Run(compiled, 0.0, 1.0, 36), of, bound(compiled.quantities))
+    evaluate = evaluating(Run(compiled, 0.0, 1.0, 36), of, bound_measures(compiled.quantities))
     given = figure(of, lambda d: evaluate(d)["swing"], "swing")
     result = search(evaluate, of, {"swing": given}, 0.05)["swing"]
 

@@ -16,7 +16,7 @@ from linkwright.expressions.fields import Expression, Frozen
 from linkwright.expressions.typed_fields import Quantity
 from linkwright.findings import Finding, Said
 from linkwright.kernels import Compiled
-from linkwright.model.csv_text import cell, head, written
+from linkwright.model.csv_text import cell, head, table_text
 from linkwright.presentation.blocks import Chart, Charts, FileOf, Section, Sentences, StudyReport, Table
 from linkwright.presentation.cells import NumberCell
 from linkwright.results import Result, Run
@@ -114,4 +114,4 @@ def _drawn(t: Any, force: Any, title: Said) -> str:
 def _csv(outcome: ShakingOutcome) -> str:
     unit, size = outcome.compiled.quantities.unit_of(u.FORCE)
     rows = zip(outcome.run.t.tolist(), *(outcome.force / size).tolist(), strict=True)
-    return written([head("t", "s"), head("x", unit), head("y", unit)], (list(map(cell, row)) for row in rows))
+    return table_text([head("t", "s"), head("x", unit), head("y", unit)], (list(map(cell, row)) for row in rows))

@@ -119,7 +119,7 @@ def test_sets_hold_all_poses(leg: str, size: float) -> None:
     at = at[:, np.isfinite(at).all(axis=0)]
     half, zero = np.full(at.shape[1], size), np.zeros(at.shape[1])
     sets = places.platforms.over([AffineForm(at[0], half, zero), AffineForm(at[1], zero, half)])
-    low, high = sets.rooms[0].ends
+    low, high = sets.rooms[0].bounds
     for u, v in rng.uniform(-1, 1, (5, 2)):
         x, rooms = places.platforms.at(at + size * np.array([[u], [v]]))
         pose, real = x[2:], rooms[0] > 1e-12
@@ -146,7 +146,7 @@ def test_forms_hold_the_functions_of_some_set(leg: str) -> None:
     places, rng = places_of(leg, 1.0, PART), np.random.default_rng(4)
     at, half = rng.uniform([[-0.2], [-0.2]], [[1.2], [1.2]], (2, 300)), np.full(300, 4e-3)
     forms, of = places.forms(at, half, np.zeros(300, dtype=int))
-    low, high = forms.ends
+    low, high = forms.bounds
     sure, may = np.zeros(300, dtype=bool), np.zeros(300, dtype=bool)
     sure[of[(low > 0).all(axis=0)]] = True
     may[of[~(high < 0).any(axis=0)]] = True

@@ -42,14 +42,14 @@ def argument(geometry: FollowerGeometry, drive: CamFollower, motor: Node | None 
     """The angle at which the cam's law is asked (rad), as a tree in SI of the motor's angle or of what this is."""
     factor = Number(float(sense(geometry, drive) * drive.turned))
     turned = Binary("*", factor, motor or Name(f"{drive.motor}.angle"))
-    return Binary("+", turned, geometry.bound(drive.cam.phase, u.ANGLE))
+    return Binary("+", turned, geometry.bind(drive.cam.phase, u.ANGLE))
 
 
 def tree(geometry: FollowerGeometry, drive: CamFollower, motor: Node) -> Node:
     """A follower's value at the nominal lengths (rad or m), as a tree in SI of what its motor's angle is."""
     plain = geometry.nominal
     here = seat(plain, drive)
-    start = here.offset + here.sign * here.start - whole(plain, drive)
+    start = here.offset + here.sign * here.start - base_circle_turns(plain, drive)
     lift = Call(drive.cam.law, (argument(geometry, drive, motor),))
     return Binary("+", Number(float(start)), Binary("*", Number(float(here.sign)), lift))
 
@@ -182,7 +182,7 @@ def contact(
     way = on.direction(here.way).now if not here.turns else Pair(0.0, 0.0)
     pivot = on.point(here.pivot).now
 
-    def moved(point: Pair) -> Pair:
+    def point_displacement(point: Pair) -> Pair:
         """What a unit of the follower's value moves its point by."""
         return point.minus(pivot).perp if here.turns else Pair(here.sign * way.x, here.sign * way.y)
 
@@ -197,18 +197,18 @@ def contact(
             shaft.y + height * normal.y + along * normal.x,
         )
     else:
-        moving, arm = moved(at).perp, at.minus(shaft)
+        moving, arm = point_displacement(at).perp, at.minus(shaft)
         across = Pair(arm.x + rate * moving.x, arm.y + rate * moving.y)
         size = call("sqrt", across.dot(across))
         normal = Pair(across.x / size, across.y / size)
-    rising = moved(at)
+    rising = point_displacement(at)
     rising = Pair(here.sign * rising.x, here.sign * rising.y)
     reach = normal.dot(rising)
     angle, push = call("arctan2", -forward * normal.cross(rising), reach), Wrench(normal, 0.0, at)
     return UnitEffort({drive.link: push, drive.cam.cam: push.opposite}, reach, {pressure: angle})
 
 
-def whole(geometry: FollowerGeometry, drive: CamFollower) -> float:
+def base_circle_turns(geometry: FollowerGeometry, drive: CamFollower) -> float:
     """Whole turns (rad) by which a swinging follower's value on the base circle lies outside of -pi .. pi."""
     if drive.pivot is None:
         return 0.0

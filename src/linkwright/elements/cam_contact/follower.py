@@ -66,12 +66,12 @@ class CamFollower(Follower):
         return entry
 
     @property
-    def paired(self) -> bool:
+    def has_second_contact(self) -> bool:
         return self.cam.closed in ("conjugate", "yoke")
 
     @property
     def derived(self) -> bool:
-        return self.paired and (self.cam.second is None or self.cam.second.touches is None)
+        return self.has_second_contact and (self.cam.second is None or self.cam.second.touches is None)
 
     @property
     def effort(self) -> str:
@@ -79,7 +79,7 @@ class CamFollower(Follower):
 
     @property
     def extra(self) -> Mapping[str, Dimension]:
-        return {"pressure": u.ANGLE, **({"pressure_second": u.ANGLE} if self.paired else {})}
+        return {"pressure": u.ANGLE, **({"pressure_second": u.ANGLE} if self.has_second_contact else {})}
 
     @property
     def charts(self) -> Sequence[SignalChart]:
@@ -97,12 +97,12 @@ class CamFollower(Follower):
         return {"law": self.cam.law}
 
     def riding(self, geometry: FollowerGeometry, motions: Motions) -> Riding:
-        motion, turn = motions[self.cam.law], contacts.whole(geometry, self)
+        motion, turn = motions[self.cam.law], contacts.base_circle_turns(geometry, self)
         factor = float(contacts.sense(geometry, self) * self.turned)
 
         def value(at: FollowerGeometry, angle: Jet) -> Jet:
             here = contacts.seat(at, self)
-            lift = motion.given(at.parameters).on(factor * angle + at.number(self.cam.phase, u.ANGLE))
+            lift = motion.at_parameters(at.parameters).on(factor * angle + at.number(self.cam.phase, u.ANGLE))
             found: Jet = here.sign * lift + (here.offset + here.sign * here.start - turn)
             return found
 
@@ -112,7 +112,7 @@ class CamFollower(Follower):
         return contacts.contact(poses, self, ratio)
 
     def second(self, name: str, poses: PoseQuery, ratio: Scalar, total: Scalar) -> UnitEffort | None:
-        if not self.paired:
+        if not self.has_second_contact:
             return None
         what = second(poses.geometry, self, total)
         return contacts.contact(poses, other_side(self), ratio, what, "pressure_second")

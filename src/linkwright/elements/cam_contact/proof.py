@@ -23,7 +23,7 @@ def applied(r: FollowerReports, drive: CamFollower, name: str) -> list[Applied]:
     """What the reported force does to the follower and the cam; a negative one is that of the second contact."""
     size = r.rows[f"{name}.force"]
     place, normal = contact(r, drive)
-    if drive.paired:
+    if drive.has_second_contact:
         there, other = contact(r, drive, second=True)
         place, normal = np.where(size < 0, there, place), np.where(size < 0, -other, normal)
     force = size * normal
@@ -43,13 +43,13 @@ def contact(r: FollowerReports, drive: CamFollower, second: bool = False) -> tup
     forward_sign = 1.0 if forward == "counter-clockwise" else -1.0
     lift, asked = r.motions[cam.law], forward_sign * turn + number(cam.phase, u.ANGLE)
     slope = forward_sign * lift.at(asked, 1)  # by the cam's angle
-    shaft = r.at(drive.on, r.geometry.point(drive.on, drive.shaft[1]))
-    at = r.at(drive.link, r.geometry.point(drive.link, cam.touches))
+    shaft = r.point_position(drive.on, r.geometry.point(drive.on, drive.shaft[1]))
+    at = r.point_position(drive.link, r.geometry.point(drive.link, cam.touches))
     face = _direction(r, drive, cam.face) if cam.face is not None else None
     if second:
         at, face = _second(r, drive, shaft, at, face, lift.at(asked))
     if drive.pivot is not None:
-        pivot = r.at(drive.on, r.geometry.point(drive.on, drive.pivot[1]))
+        pivot = r.point_position(drive.on, r.geometry.point(drive.on, drive.pivot[1]))
         moved = -drive.side * slope * _quarter(at - pivot)
     else:
         assert drive.joint is not None
@@ -73,7 +73,7 @@ def _second(
     """The second contact's point, and its face's direction, from those of the first and the lift."""
     cam, stated, length = drive.cam, drive.cam.second, r.number
     if stated is not None and stated.touches is not None:
-        own = r.at(drive.link, r.geometry.point(drive.link, stated.touches))
+        own = r.point_position(drive.link, r.geometry.point(drive.link, stated.touches))
         return own, _direction(r, drive, stated.face) if stated.face is not None else None
     left = largest(drive, r.motions[cam.law]) - lift  # by which the second contact has risen
     base = length(stated.base if stated is not None and stated.base is not None else cam.base, u.LENGTH)
@@ -86,7 +86,7 @@ def _second(
         height = base if face is not None else np.sqrt(pitch**2 - aside**2)
         return shaft + (-1 if cam.closed == "yoke" else 1) * aside * right - (height + left) * way, face
     assert drive.pivot is not None
-    pivot = r.at(drive.on, r.geometry.point(drive.on, drive.pivot[1]))
+    pivot = r.point_position(drive.on, r.geometry.point(drive.on, drive.pivot[1]))
     away, arm = np.hypot(*(shaft - pivot)), np.hypot(*(at - pivot))
     if face is None:
         angle = left + np.arccos((away**2 + arm**2 - pitch**2) / (2 * away * arm))

@@ -72,7 +72,7 @@ def second_seat(geometry: FollowerGeometry, drive: CamFollower) -> CamPair:
     return replace(seat(geometry, drive), base=geometry.number(cam.base, u.LENGTH), roller=roller)
 
 
-def rest(geometry: FollowerGeometry, drive: CamFollower, total: float) -> tuple[float, float]:
+def base_circle_position(geometry: FollowerGeometry, drive: CamFollower, total: float) -> tuple[float, float]:
     """Where the second contact stands at the largest lift ``total`` (rad or m), as it is on its own base circle, by
     plain numbers: the angle (rad, -pi .. pi) of arm or face with the line of centres or the height (m) beyond the
     shaft, and the radius (m) of the base circle."""
@@ -89,7 +89,7 @@ def rest(geometry: FollowerGeometry, drive: CamFollower, total: float) -> tuple[
     return start, hypot(away - reach * cos(start), reach * sin(start)) - float(there.roller)
 
 
-def room(drive: CamFollower) -> tuple[float, float]:
+def contact_range(drive: CamFollower) -> tuple[float, float]:
     """Between what a second contact's angle or height may lie all over the lift (rad or m)."""
     if drive.pivot is None:
         return 0.0, float("inf")

@@ -72,7 +72,7 @@ def spanning(topology: Topology) -> JointTree:
     seen, queue = {FRAME}, deque([FRAME])
     while queue:
         link = queue.popleft()
-        at = topology.at(link)
+        at = topology.connections_of(link)
         for c in [*(c for c in at if c in musts), *(c for c in at if c not in musts)]:
             other = c.other(link)
             if other not in seen and (c in musts or sets.join(link, other)):

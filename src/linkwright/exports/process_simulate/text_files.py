@@ -8,7 +8,7 @@ import numpy as np
 
 from linkwright.escape import csharp, line
 from linkwright.exports.process_simulate.functions import JointFunction, JointFunctions
-from linkwright.model.csv_text import written
+from linkwright.model.csv_text import table_text
 from linkwright.words import say
 
 ROWS = 24
@@ -78,6 +78,6 @@ def check_table(made: JointFunctions) -> str:
     columns += [(j.kind, j.name, row) for j, row in zip(joints, values, strict=True)]
     header = [f"{kind}({name}) [{'deg' if kind == 'T' else 'mm'}]" for kind, name, _ in columns]
     shown = [np.degrees(row) if kind == "T" else row for kind, _, row in columns]
-    return written(
+    return table_text(
         header, [[f"{round(float(value), 9) + 0.0:.9f}" for value in row] for row in zip(*shown, strict=True)]
     )

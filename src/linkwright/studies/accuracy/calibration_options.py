@@ -167,7 +167,7 @@ class Shifted:
             here = copy(quantities)
             here.parameters = dict(zip(self.compiled.graph.parameters, p.tolist(), strict=True))
             directions = derivatives(here, self.bases) @ self.weights
-        tangents = self.tangents.moved(p, directions)
+        tangents = self.tangents.at_parameters(p, directions)
         values, slopes = tangents.evaluate(self.signals, self.t)
         for i, name in enumerate(self.signals):
             if self.compiled.graph.wrapped(name):
@@ -175,7 +175,7 @@ class Shifted:
         rows = {name: (Dual(v, s),) for name, v, s in zip(self.signals, values, slopes, strict=True)}
         y, j = np.empty((shape[0], shape[2])), np.empty(shape)
         for i, tree in enumerate(self.trees):
-            found = expressed(self.compiled, tree, self.t, rows, 0, tangents.given()).d[0]
+            found = expressed(self.compiled, tree, self.t, rows, 0, tangents.parameter_values()).d[0]
             y[i], j[i] = value_of(found), slope_of(found)
         return y, j
 

@@ -55,7 +55,7 @@ def play_effects(plays: Plays, measures: Sequence[BoundMeasure]) -> tuple[Effect
     if fitting and plays.held:
         rested, moved = (Derivatives(plays.run, slopes, fitting) for slopes in (plays.resting, plays.gaps))
         for measure in fitting:
-            bounds = measure.kind.bound(Played(plays, moved.deviated(measure.name)))
+            bounds = measure.kind.clearance_bounds(Played(plays, moved.deviated(measure.name)))
             for shift, worst in zip(rested.of(measure.name), bounds, strict=True):
                 shifts = shift.sides[:, 1]  # a place also moves as directions turn, which no held one shows
                 found[measure.name, shift.label] = plays.effect(shifts, np.maximum(worst, np.abs(shifts[1:])))
@@ -91,7 +91,7 @@ class Played:
     """One measure, as :class:`~linkwright.reductions.WithPlay` has it."""
 
     plays: Plays
-    moved: Deviated
+    deviations: Deviated
 
     @property
     def joints(self) -> int:

@@ -136,5 +136,5 @@ def _of_roller(
     assert drive.cam.roller is not None
     radius = compiled.quantities.value(drive.cam.roller, LENGTH)
     if lengths.get("clearance", 0.0) >= radius:
-        written = Geometry(compiled.quantities, {}).written(radius, LENGTH)
+        written = Geometry(compiled.quantities, {}).text_of(radius, LENGTH)
         yield Finding("clearance.roller", path, {"name": name, "radius": written})

@@ -133,7 +133,7 @@ class Deviated:
 
     every: Derivatives
     measure: BoundMeasure
-    here: SignalInRun
+    nominal_run: SignalInRun
 
     @property
     def count(self) -> int:
@@ -149,7 +149,7 @@ class Deviated:
         """That of a power over the window, and of the window's length."""
         return self.every.integral(self.measure, power)
 
-    def at(self, times: Sequence[float] | Array, key: str = "", rates: bool = True) -> Local:
+    def values_at(self, times: Sequence[float] | Array, key: str = "", rates: bool = True) -> Local:
         """The signal, or another expression, at times (s)."""
         return self.every.slopes.at([self.measure.trees[key]], np.asarray(times), rates)
 

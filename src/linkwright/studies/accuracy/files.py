@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.units import TIME
-from linkwright.model.csv_text import cell, head, written
+from linkwright.model.csv_text import cell, head, table_text
 from linkwright.results.dataset import Dataset, Variable, described, si_unit, times
 from linkwright.studies.accuracy.outcome import AccuracyOutcome, SignalDeviations
 from linkwright.studies.accuracy.summary import part, per, ranked
@@ -38,7 +38,7 @@ def contributors_csv(outcome: AccuracyOutcome) -> str | None:
             figures = (*deviations, below, above, float(figure.shares[i]), *worst)
             stated = [one.name, one.unit, cell(one.nominal / one.size), one.stated, one.distribution]
             rows.append([*known, *stated, *(cell(float(value)) for value in figures)])
-    return written(["output", "unit", "nominal", head("at", unit), *CONTRIBUTION], rows)
+    return table_text(["output", "unit", "nominal", head("at", unit), *CONTRIBUTION], rows)
 
 
 def dataset(outcome: AccuracyOutcome) -> Dataset:

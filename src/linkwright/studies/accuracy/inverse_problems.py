@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.measures import bound
+from linkwright.measures import bound_measures
 from linkwright.results import Run
 from linkwright.studies.accuracy.allocation_options import Output, allocated, problem
 from linkwright.studies.accuracy.calibration_options import calibrate, check_calibrate
@@ -73,7 +73,7 @@ def _of_curve(curve: SignalDeviations) -> Output:
 def _known(compiled: Compiled, options: AccuracyOptions, count: int) -> dict[str, Output]:
     """All figures that the study will have, without their coefficients."""
     empty, quantities, found = np.empty((0, count)), compiled.quantities, {}
-    for measure in bound(quantities, options.measures(compiled)):
+    for measure in bound_measures(quantities, options.measures(compiled)):
         for column in columns(compiled, measure):
             found[column.name] = Output(empty, column.dimension, column.unit, column.size)
     for signal in options.signals(compiled):

@@ -86,5 +86,7 @@ def placed_signals(compiled: Compiled, options: AccuracyOptions, widest: Mapping
         for position, (where, window) in places.items():
             name = f"{signal.text} at {position}" if position != WIDEST else signal.text
             entry = Measure.model_validate({"value": signal.raw, "where": where})
-            measure = BoundMeasure.made(compiled.quantities, name, entry, window, ("studies", "accuracy", "outputs"))
+            measure = BoundMeasure.of_entry(
+                compiled.quantities, name, entry, window, ("studies", "accuracy", "outputs")
+            )
             yield PlacedSignal(signal.text, position, measure)

@@ -27,7 +27,7 @@ class Slopes:
     def __init__(self, run: Run, directions: Array, plays: Sequence[str] = ()) -> None:
         self.run, self.tangents = run, Tangents(run.compiled, directions, plays)
         self.count = self.tangents.count
-        self.given: dict[str, Any] = self.tangents.given()
+        self.given: dict[str, Any] = self.tangents.parameter_values()
         """The parameters, those that deviate as duals, and so the places of joins of motion laws."""
         self.joins: list[str] = []
         for law, motion in run.compiled.motions.items():

@@ -6,9 +6,9 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
-from linkwright.kernels.manufactured_cam import cut
+from linkwright.kernels.manufactured_cam import with_cut_cams
 from linkwright.kernels.parameter_batch import Varied
-from linkwright.measures import BoundMeasure, bound
+from linkwright.measures import BoundMeasure, bound_measures
 from linkwright.presentation.blocks import FileOf, StudyReport
 from linkwright.reductions import kind_of
 from linkwright.results import Run
@@ -56,7 +56,7 @@ class AccuracyStudy(Study):
 
     def sampled_mechanism(self, compiled: Compiled) -> Compiled:
         """The mechanism with its cams cut to the nominal dimensions, which deviations don't alter."""
-        return cut(compiled)
+        return with_cut_cams(compiled)
 
     def draws(self, compiled: Compiled, options: AccuracyOptions) -> Deviations:
         """The random samples of the deviations that the file states."""
@@ -79,7 +79,7 @@ class AccuracyStudy(Study):
         widest = {text: float(nominal.t[curve.widest]) for text, curve in outcome.curves.items()}
         placed = [*placed_signals(compiled, options, widest)]
         more = tuple(signal.measure for signal in placed)
-        measures = [*bound(compiled.quantities, options.measures(compiled)), *more]
+        measures = [*bound_measures(compiled.quantities, options.measures(compiled)), *more]
         every = figures(nominal, slopes, deviations, measures)
         outcome.warnings += [*skipped(compiled, options), *_valueless(measures, every)]
         searched = search(evaluating(nominal, deviations, measures), deviations, every, options.nonlinear)

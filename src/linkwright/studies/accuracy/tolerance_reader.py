@@ -13,7 +13,7 @@ from linkwright.expressions.fields import Expression
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model.tolerances import Spread, stated
+from linkwright.model.tolerances import Spread, full_tolerance
 from linkwright.studies.accuracy.parameter_chain import derived
 from linkwright.studies.accuracy.stated_options import DeviationOptions
 from linkwright.studies.numbers import constant
@@ -47,7 +47,7 @@ class ToleranceReader:
     def __init__(self, compiled: Compiled, options: DeviationOptions) -> None:
         self.quantities, self.options = compiled.quantities, options
         self.findings: list[Finding] = []
-        self.tolerances = {name: stated(p.tolerance) for name, p in compiled.mechanism.parameters.items()}
+        self.tolerances = {name: full_tolerance(p.tolerance) for name, p in compiled.mechanism.parameters.items()}
         self.independent = [name for name in self.tolerances if not derived(self.quantities, name)]
 
     def wrong(self, code: str, path: Path, **data: Any) -> None:

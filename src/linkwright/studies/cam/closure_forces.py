@@ -26,4 +26,4 @@ def held(compiled: Compiled, name: str) -> tuple[Disc, Closing | None]:
         disc = disc_of(compiled, name)
         return disc, CLOSINGS[compiled.mechanism.cams[name].closed](compiled, name, disc)
 
-    return compiled.kept((held, name), made)
+    return compiled.cached((held, name), made)

@@ -21,7 +21,7 @@ from linkwright.formulas.functions import OfMotion
 from linkwright.formulas.motor import motor, unit_of
 from linkwright.formulas.pieces import TooManyError, Unfolding
 from linkwright.formulas.terms import T, number
-from linkwright.model.csv_text import cell, head, written
+from linkwright.model.csv_text import cell, head, table_text
 from linkwright.studies.cam.outcome import CamOutcome
 from linkwright.studies.cam.picture import still
 from linkwright.studies.cam.plate import Plate
@@ -38,7 +38,7 @@ def profile_csv(outcome: CamOutcome, plate: Plate) -> str:
     their normal, radii of curvature (negative where hollow), pressure angle."""
     header, columns = zip(*_columns(outcome, plate), strict=True)
     rows = ([cell(value) for value in row] for row in np.array(columns).T.tolist())
-    return written(list(header), rows)
+    return table_text(list(header), rows)
 
 
 def _columns(outcome: CamOutcome, plate: Plate) -> Iterator[tuple[str, Array]]:

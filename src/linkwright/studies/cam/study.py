@@ -112,7 +112,7 @@ def _read(compiled: Compiled, options: CamOptions, name: str) -> tuple[CamRequir
         reader = DimensionReader(compiled, options, name, *held(compiled, name))
         return reader.read(), reader.findings
 
-    return compiled.kept((_read, name, options), made)
+    return compiled.cached((_read, name, options), made)
 
 
 def _begun(compiled: Compiled, options: CamOptions, name: str) -> CamOutcome:

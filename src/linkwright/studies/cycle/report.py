@@ -82,7 +82,7 @@ def measure(m: MeasureResult, second: float, time_unit: str) -> Measure:
         )
         for f in m.found
     ]
-    return Measure(m.name, m.measure.said, values, m.unit, m.requirement, m.verdict)
+    return Measure(m.name, m.measure.description, values, m.unit, m.requirement, m.verdict)
 
 
 def _at(side: str, time: str) -> Said:

@@ -138,7 +138,7 @@ def _slider_crank(compiled: Compiled, geometry: Geometry, loop: Loop) -> FourLin
 def _inverted(compiled: Compiled, loop: Loop) -> str | None:
     """The kind of a loop whose slide, its last joint, is driven, or belongs to a cylinder on the frame."""
     m, slide = compiled.mechanism, loop.joints[3]
-    if any(slide.joint == c.joint for name in m.movers for c in compiled.structure.topology.driven(name)):
+    if any(slide.joint == c.joint for name in m.movers for c in compiled.structure.topology.drivable_joints(name)):
         return "driven-slide"
     cylinder = any({*links_of(name)} == {slide.a, slide.b} for name in m.cylinders)
     return "cylinder" if cylinder and FRAME in loop.links else None

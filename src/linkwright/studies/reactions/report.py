@@ -8,7 +8,7 @@ from typing import Any
 
 from linkwright.expressions.units import ANGLE, FORCE
 from linkwright.findings import Said, Text
-from linkwright.model.csv_text import cell, written
+from linkwright.model.csv_text import cell, table_text
 from linkwright.presentation.blocks import Section, StudyReport, table
 from linkwright.presentation.cells import Cell, NumberCell, Unit
 from linkwright.studies.reactions.outcome import Reaction, ReactionsOutcome
@@ -87,7 +87,7 @@ def _kind(value: float | None) -> Text:
 
 def reactions_csv(outcome: ReactionsOutcome) -> str:
     """All components with all their digits, blank where statics doesn't determine one."""
-    return written(["joint", "reaction", "value", "unit"], list(_lines(outcome)))
+    return table_text(["joint", "reaction", "value", "unit"], list(_lines(outcome)))
 
 
 def _lines(outcome: ReactionsOutcome) -> Iterator[list[str]]:

@@ -70,12 +70,12 @@ class Reactions(Study):
         outcome.failures = list(_failures(statics))
         if outcome.failures:
             return outcome
-        residual = max(outcome.closure, statics.rest)
+        residual = max(outcome.closure, statics.relative_residual)
         if not residual <= PROVEN:
             outcome.failures = [Finding("reactions.unproven", PATH, {"residual": f"{residual:.1e}"})]
             return outcome
         outcome.states, outcome.motions = statics.stresses.shape[1], statics.motions.shape[1]
-        outcome.equilibrium = statics.rest
+        outcome.equilibrium = statics.relative_residual
         outcome.reactions = list(_reactions(compiled, statics))
         outcome.bars = list(_bars(compiled, statics))
         outcome.warnings = list(_warnings(outcome, statics))

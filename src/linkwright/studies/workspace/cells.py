@@ -269,7 +269,7 @@ class _Forms:
     def __init__(self, forms: AffineForm, of: Rows, count: int) -> None:
         self.of, self.count = of, count
         # Functions without finite bounds are treated as unknown: value 0, remainder infinite.
-        low, high = forms.ends
+        low, high = forms.bounds
         self.known = np.isfinite(low) & np.isfinite(high)
         self.value, self.rest = np.where(self.known, forms.value, 0.0), np.where(self.known, forms.rest, np.inf)
         self.slope = np.where(self.known, np.stack([forms.u, forms.v]), 0.0)

@@ -16,7 +16,7 @@ from linkwright.drawing.tiled import tiled
 from linkwright.escape import json_text, layer_name
 from linkwright.expressions import units as u
 from linkwright.findings import Said
-from linkwright.model.csv_text import cell, head, written
+from linkwright.model.csv_text import cell, head, table_text
 from linkwright.presentation.blocks import FileOf
 from linkwright.studies.workspace.mesh import DriveBox
 from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome
@@ -87,7 +87,7 @@ def boundary_csv(outcome: WorkspaceOutcome) -> str | None:
     heads = [head(n, quantities.unit_of(quantities.dimensions.of(n))[0]) for n in names]
     heads += ["mode", "part", "ring", head("x", unit), head("y", unit), *(head(d, w) for d, w, _ in drives), "kind"]
     sizes = [scale for _, _, scale in drives]
-    return written(heads, _rows(outcome, names, size, sizes))
+    return table_text(heads, _rows(outcome, names, size, sizes))
 
 
 def _rows(outcome: WorkspaceOutcome, names: list[str], size: float, sizes: list[float]) -> Iterator[list[str]]:

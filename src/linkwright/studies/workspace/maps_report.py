@@ -14,7 +14,7 @@ from linkwright.drawing.plane import PicturePlane, framed_box, outline
 from linkwright.drawing.tiled import tiled
 from linkwright.expressions import units as u
 from linkwright.findings import Said, Text
-from linkwright.model.csv_text import cell, head, written
+from linkwright.model.csv_text import cell, head, table_text
 from linkwright.presentation.blocks import Chart, Table, table
 from linkwright.presentation.cells import UNKNOWN, Cell, NumberCell, Numbers, Unit, numbers, percent
 from linkwright.studies.workspace.curve_lines import lines
@@ -266,7 +266,7 @@ def _csv(part: Part | None) -> str | None:
     heads += ["mode", *(head(d, w) for d, w, _ in drives), head("x", unit), head("y", unit)]
     sizes = [*(scale for _, _, scale in drives), size, size, *(one.size for one in maps)]
     stride = int(np.ceil((part.steps + 1) / max((ROWS / len(part.regions)) ** 0.5, 8.0)))
-    return written([*heads, *(head(one.name, one.unit) for one in maps)], _rows(part, stride, np.array(sizes)))
+    return table_text([*heads, *(head(one.name, one.unit) for one in maps)], _rows(part, stride, np.array(sizes)))
 
 
 def _rows(part: Part, stride: int, sizes: Array) -> Iterable[list[str]]:

@@ -11,7 +11,7 @@ import numpy as np
 from linkwright.escape import line
 from linkwright.expressions import units as u
 from linkwright.findings import Said
-from linkwright.model.csv_text import cell, head, written
+from linkwright.model.csv_text import cell, head, table_text
 from linkwright.model.yaml_write import write_text
 from linkwright.studies.workspace.inverse_kinematics import ServoLaw
 from linkwright.studies.workspace.outcome import WorkspaceOutcome, shown, values_text
@@ -40,7 +40,7 @@ def laws_csv(outcome: WorkspaceOutcome) -> str | None:
         rows = TURNING if outcome.compiled.mechanism.prescribed(drive).turns else SLIDING
         units = [its for its, _ in part.units(drive).values()]
         heads += [head(f"{drive}.{row}", its) for row, its in zip(rows, units, strict=False)]
-    return written(heads, _rows(part, found, names))
+    return table_text(heads, _rows(part, found, names))
 
 
 def _rows(part: PathsOutcome, found: list[tuple[Attempt, ServoLaw]], names: list[str]) -> Iterator[list[str]]:

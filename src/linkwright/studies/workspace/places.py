@@ -51,7 +51,7 @@ class KnownPoses:
     @classmethod
     def of(cls, compiled: Compiled, point: str) -> KnownPoses | None:
         """``None`` where not all poses are known."""
-        return compiled.kept(("poses", point), lambda: _poses(compiled, point))
+        return compiled.cached(("poses", point), lambda: _poses(compiled, point))
 
 
 def _poses(compiled: Compiled, point: str) -> KnownPoses | None:
@@ -236,7 +236,7 @@ class ModePlaces:
     def _whole(self, parts: Array, sets: Sets) -> tuple[Array, Rows]:
         """Sets of poses from their pieces, (4, functions, pieces): what holds all of these but those with a negative
         function, which the mode doesn't reach; where it has such, no pose of the set is sure."""
-        low, high = AffineForm(*parts).ends
+        low, high = AffineForm(*parts).bounds
         dead = (high < 0).any(axis=0)
         alive = np.flatnonzero(~dead)
         alive = alive[np.argsort(sets.number[alive], kind="stable")]

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.enclosures.angles import Polynomials, Stretches, numbered, stretches, turned
-from linkwright.enclosures.forms import TINY, UNIT, AffineForm, joined
+from linkwright.enclosures.forms import TINY, UNIT, AffineForm, joined_forms
 from linkwright.enclosures.newton import inverted, solved
 from linkwright.enclosures.program import BOXES, Stage
 from linkwright.graph.inverse import Platform
@@ -99,7 +99,7 @@ class OnePlatform:
 
     def _over(self, name: str, x: list[AffineForm], which: Rows | None, *pose: AffineForm) -> list[AffineForm]:
         """A program's rows over some of the cells."""
-        some = x if which is None else [one.some(which) for one in x]
+        some = x if which is None else [one.select(which) for one in x]
         return self._stages[name]([*some, *pose].__getitem__)
 
     def sets(self, x: list[AffineForm]) -> tuple[Rows, Rows, list[AffineForm], AffineForm]:
@@ -116,11 +116,11 @@ class OnePlatform:
         number = np.bincount(stretch[stretch >= 0], minlength=told.of.size)
         complete = (number == told.most) & (number > 0) & ~_shared(stretch, most, told.of.size)
         own = in_whole(stretch, complete)
-        rest = told.some(~complete)
+        rest = told.select(~complete)
         piece, others = self._together(x, rest)
-        sets = [joined([one.some(own), other]) for one, other in zip(pose, others, strict=True)]
-        which, room = np.append(np.arange(own.size), own.size + piece), rest.room.some(piece)
-        return np.append(of[own], rest.of[piece]), which, sets, joined([AffineForm(np.ones(own.size)), room])
+        sets = [joined_forms([one.select(own), other]) for one, other in zip(pose, others, strict=True)]
+        which, room = np.append(np.arange(own.size), own.size + piece), rest.room.select(piece)
+        return np.append(of[own], rest.of[piece]), which, sets, joined_forms([AffineForm(np.ones(own.size)), room])
 
     def _proven(
         self, x: list[AffineForm], coefficients: Array
@@ -138,7 +138,7 @@ class OnePlatform:
             ]
 
         away, proven = solved(lambda off: self._over("misses", x, of, *posed(off)), 3, of.size)
-        ends = np.array([one.ends for one in away]) + pose[:, None]
+        ends = np.array([one.bounds for one in away]) + pose[:, None]
         return of, pose[0], posed(away), (ends[:, 0], ends[:, 1]), proven
 
     def _together(self, x: list[AffineForm], told: Stretches) -> tuple[Rows, list[AffineForm]]:
@@ -149,7 +149,7 @@ class OnePlatform:
         half = (told.half / count)[stretch]
         phi = told.middle[stretch] + half * (2 * part + 1 - count[stretch])
         rooms = self._over("rooms", x, told.of[stretch], *turned(phi, AffineForm(np.zeros(phi.size), rest=half)))
-        some = np.all([np.ones(phi.size, dtype=bool), *(one.ends[1] >= 0 for one in rooms)], axis=0)
+        some = np.all([np.ones(phi.size, dtype=bool), *(one.bounds[1] >= 0 for one in rooms)], axis=0)
         stretch, phi, half = stretch[some], phi[some], half[some]
         of, axis = told.of[stretch], turned(phi, AffineForm(np.zeros(phi.size), rest=half))
         # By Cramer's rule: without bound where both places may be poses.
@@ -159,11 +159,11 @@ class OnePlatform:
         for start in starts:
             place = self._about(x, of, axis, legs, start, only)
             misses = self._over("misses", x, of, *axis, *place)[:3]
-            zero = np.all([(one.ends[0] <= 0) & (one.ends[1] >= 0) for one in misses], axis=0)
+            zero = np.all([(one.bounds[0] <= 0) & (one.bounds[1] >= 0) for one in misses], axis=0)
             kept = np.flatnonzero(zero & _overlap(place, only) & np.isfinite(start[0]))
-            found.append([one.some(kept) for one in (*axis, *place)])
+            found.append([one.select(kept) for one in (*axis, *place)])
             which.append(stretch[kept])
-        return np.concatenate(which), [joined(list(pair)) for pair in zip(*found, strict=True)]
+        return np.concatenate(which), [joined_forms(list(pair)) for pair in zip(*found, strict=True)]
 
     def _about(
         self,
@@ -209,7 +209,7 @@ def _middles(x: list[AffineForm]) -> Array:
 
 def _overlap(place: list[AffineForm], other: list[AffineForm]) -> NDArray[np.bool_]:
     """Where enclosures of x and y have something in common."""
-    ends = [(a.ends, b.ends) for a, b in zip(place, other, strict=True)]
+    ends = [(a.bounds, b.bounds) for a, b in zip(place, other, strict=True)]
     return np.asarray(np.all([(a[0] <= b[1]) & (b[0] <= a[1]) for a, b in ends], axis=0))
 
 

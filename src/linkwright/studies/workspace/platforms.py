@@ -41,7 +41,7 @@ class Platforms:
         found = Sets(x, [], np.arange(x[0].value.size), np.arange(x[0].value.size))
         for one in self._each:
             which, number, pose, room = one.sets(found.x)
-            x, rooms = ([form.some(which) for form in part] for part in (found.x, found.rooms))
+            x, rooms = ([form.select(which) for form in part] for part in (found.x, found.rooms))
             number = np.unique([found.number[which], number], axis=1, return_inverse=True)[1].ravel()
             found = Sets([*x, *pose], [*rooms, room], found.of[which], number)
         return found

@@ -83,7 +83,7 @@ def _square(places: ModePlaces) -> Square | None:
     travels = {}
     for k, drive in enumerate(graph.drives):
         if not places.inverse.turns(drive):
-            joint = graph.structure.topology.driven(drive)[0].joint
+            joint = graph.structure.topology.drivable_joints(drive)[0].joint
             travels[joint] = max(abs(box.low[k]), abs(box.high[k]))
     parameters = dict(zip(graph.parameters, sheet.parameters.tolist(), strict=True))
     bound = farthest(graph, sheet.point, parameters, travels)
@@ -103,7 +103,7 @@ def _vague(places: ModePlaces, corner: Array, side: float) -> bool:
     at = corner[:, None] + side * np.random.default_rng(0).uniform(0.3, 0.7, (2, SPOTS))
     of, branch = np.tile(np.arange(SPOTS), len(places.branches)), np.repeat(np.arange(len(places.branches)), SPOTS)
     rooms, which = places.rooms(at[:, of], np.full(of.size, SPOT * side), branch)
-    low, high = rooms.ends
+    low, high = rooms.bounds
     vague = ((low <= 0) & (high >= 0)).any(axis=0)
     return np.unique(of[which[vague]]).size > VAGUE * np.unique(of[which]).size
 

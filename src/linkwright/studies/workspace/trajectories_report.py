@@ -11,7 +11,7 @@ from linkwright.drawing.plane import Bounds, PicturePlane, framed_box, outline
 from linkwright.drawing.tiled import tiled
 from linkwright.expressions import units as u
 from linkwright.findings import Said, Text
-from linkwright.model.csv_text import cell, head, written
+from linkwright.model.csv_text import cell, head, table_text
 from linkwright.presentation.blocks import Chart, Table, table
 from linkwright.presentation.cells import Cell, NumberCell, Unit, numbers
 from linkwright.studies.workspace.curve_lines import lines
@@ -139,7 +139,7 @@ def trajectories_csv(outcome: WorkspaceOutcome) -> str | None:
     names = [*outcome.options.for_]
     heads = [head(n, quantities.unit_of(quantities.dimensions.of(n))[0]) for n in names]
     drives = [head(drive, quantities.drive_unit(drive)[0]) for drive in part.drives]
-    return written([*heads, "mode", drives[0], "stretch", drives[1], head("x", unit), head("y", unit)], _rows(part))
+    return table_text([*heads, "mode", drives[0], "stretch", drives[1], head("x", unit), head("y", unit)], _rows(part))
 
 
 def _rows(part: TrajectoriesPart) -> Iterator[list[str]]:

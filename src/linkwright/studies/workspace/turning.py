@@ -1,7 +1,7 @@
 """Full turns of two drives: the values of one at which the other can go all round, by exact interval ends.
 
-While one drive goes round, the least room of each group (:meth:`Dyad.room`) is at a root of its exact rate, found
-between brackets of a grid; its zeros over the other drive's values are the ends of the intervals.
+While one drive goes round, the smallest radicand of each group (:meth:`Dyad.radicand`) is at a root of its exact rate,
+found between brackets of a grid; its zeros over the other drive's values are the ends of the intervals.
 """
 
 from __future__ import annotations
