@@ -42,7 +42,7 @@ class CamCheck:
     margin: float | None = None
 
     @property
-    def kept(self) -> bool:
+    def passed(self) -> bool:
         """Whether the limit is kept, or none was asked for."""
         return self.margin is None or self.margin >= 0
 

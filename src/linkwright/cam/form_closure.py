@@ -44,9 +44,9 @@ class GrooveClosure:
         return {}
 
     @property
-    def kept(self) -> bool:
+    def passed(self) -> bool:
         """Whether neither flank is undercut."""
-        return all(check.kept for check in self.checks)
+        return all(check.passed for check in self.checks)
 
 
 def groove(disc: Disc) -> GrooveClosure:

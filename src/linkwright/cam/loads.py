@@ -197,7 +197,7 @@ class CamForces:
         return found
 
     @property
-    def lost(self) -> list[tuple[float, float]]:
+    def lift_off_stretches(self) -> list[tuple[float, float]]:
         """The stretches (rad) on which the first side doesn't bear: without a second one, the follower lifts off."""
         return [(part.start, part.stop) for part in self.bearing if part.side <= 0]
 

@@ -80,14 +80,14 @@ def highest_speed(disc: Disc, loads: FollowerLoads, contact: float = 0.0) -> Siz
     if not loads.inertia:
         return Sized(math.inf, 0.0, math.inf)
 
-    def asked(look: DiscJets) -> Jet:
+    def inertia_share(look: DiscJets) -> Jet:
         """The inertia's share of what holds the follower at rest, over w^2."""
         held = loads.along(look, 0.0) - reach(look) * contact
         held = held.maximum(0.0 * held)  # where all is used up, round-off may pull
         return look.lift.rate().rate() * -loads.inertia / held
 
     with np.errstate(divide="ignore", invalid="ignore"):  # nothing presses at rest in a dwell
-        most = extremes(loads.over(disc), asked)[1]
+        most = extremes(loads.over(disc), inertia_share)[1]
     speed = 1.0 / math.sqrt(most.value) if most.value > 0 else math.inf
     return Sized(speed, most.theta, speed)
 

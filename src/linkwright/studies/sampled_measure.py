@@ -63,7 +63,7 @@ class Taken:
         self.windows = Windows(bunch, measuring.jumping)
         self.sides = sides(bunch, measuring.joins, self.windows.gaps)
 
-    def many(self) -> Many:
+    def evaluate_all(self) -> Many:
         """All of them."""
         asked = self.measuring
         self.extremes, self.coarse = self.all_extremes(), dict[str, Mask]()
@@ -119,7 +119,7 @@ class Taken:
     def all_extremes(self) -> dict[Extreme, Figures]:
         """Every extreme that a measure needs, those of one curve together."""
         asks: dict[Node, dict[tuple[BoundWindow | None, float], None]] = {}
-        for tree, window, sign in self.wanted():
+        for tree, window, sign in self.needed_extremes():
             asks.setdefault(tree, {})[window, sign] = None
         found: dict[Extreme, Figures] = {}
         jumping = [tree for tree in asks if self.sides is not None and self.measuring.run.may_jump(tree)]
@@ -130,7 +130,7 @@ class Taken:
             found |= {(tree, *place): figure for place, figure in zip(places, figures, strict=True)}
         return found
 
-    def wanted(self) -> Iterator[Extreme]:
+    def needed_extremes(self) -> Iterator[Extreme]:
         """The extremes that the measures need: curve, window, sign."""
         for measure in self.measuring.shared:
             for key, sign in measure.kind.needs(measure.entry) or ():
@@ -184,7 +184,7 @@ class SampledMeasure:
         return np.asarray(np.bincount(owner, b - a, self.taken.bunch.samples), dtype=float)
 
     @property
-    def ends(self) -> tuple[Array, Array]:
+    def window_ends(self) -> tuple[Array, Array]:
         """Where each one's window begins and ends (s)."""
         return self._window.first, self._window.last
 

@@ -133,12 +133,12 @@ def perform(
     assert isinstance(task, SampleTask)
     if not tabled(task.plan.samples) and task.figures.columns:
         # The ends of histograms come from the figures of the first samples: a function of the file alone.
-        figures, _ = task.figures.of(task.varied.parameters(task.plan.values(0)))
+        figures, _ = task.figures.evaluate(task.varied.parameters(task.plan.values(0)))
         work = replace(work, reach=tuple(reach(row) for row in figures))
         task = opened(work)
         assert isinstance(task, SampleTask)
     runner = site.runner or Threads(None if KERNELS[kernel].scales else 1)
-    with closing(Kept.begun(task, work, site)) as kept:
+    with closing(Kept.open(task, work, site)) as kept:
         result = carry(work, kept.sink, runner, site.progress)
     if result.error is not None:
         raise ModelError([result.error])

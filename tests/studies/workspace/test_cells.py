@@ -157,11 +157,11 @@ def test_cells_know_their_places() -> None:
     np.testing.assert_array_equal(cells.low[:, :4], [[2, 0, 2, 0], [0, 2, 2, 0]])
     np.testing.assert_array_equal(cells.high[:, 3], [1, 1])
     np.testing.assert_array_equal(cells.middle[:, 0], [3, 1])
-    np.testing.assert_array_equal(cells.some(np.array([4])).low[:, 0], [1, 0])
+    np.testing.assert_array_equal(cells.subset(np.array([4])).low[:, 0], [1, 0])
 
 
 def test_quarters_cover_their_cell() -> None:
-    parts = quadtree().some(np.array([0, 5])).quarters()
+    parts = quadtree().subset(np.array([0, 5])).quarters()
     assert parts.level.tolist() == [2, 2, 2, 2, 3, 3, 3, 3]
     np.testing.assert_array_equal(parts.low[:, :4], [[2, 3, 2, 3], [0, 0, 1, 1]])
     np.testing.assert_array_equal(parts.low[:, 4:], [[0, 0.5, 0, 0.5], [1, 1, 1.5, 1.5]])

@@ -165,12 +165,12 @@ def _made(compiled: Compiled, wish: Wish, joints: list[ToolJoint], motion: ToolM
     if wish.approximate is None:
         links, fits = _links(compiled, wish, joints, motion, OFFERED)
         if not fits:
-            return _TextSearch(compiled, wish, links, motion, fitted=False).written()
-        found = _TextSearch(compiled, replace(wish, longest=None), links, motion, fitted=True).written()
+            return _TextSearch(compiled, wish, links, motion, fitted=False).shortest_functions()
+        found = _TextSearch(compiled, replace(wish, longest=None), links, motion, fitted=True).shortest_functions()
         raise Refused(_no_closed_form(fits, found.max_error, wish.drive))
     for tighter in range(TIGHTER):  # joints that follow as sums of others add up their errors
         links, fits = _links(compiled, wish, joints, motion, wish.approximate / 8**tighter)
-        found = _TextSearch(compiled, wish, links, motion, bool(fits)).written()
+        found = _TextSearch(compiled, wish, links, motion, bool(fits)).shortest_functions()
         if not fits or found.max_error <= wish.approximate:
             return found
     raise Refused(_no_closed_form(fits, found.max_error, wish.drive))
@@ -205,11 +205,11 @@ def _links(
     mm), if that can be, to their joints."""
     poses, fits = motion.poses(DESIGNED), list[tuple[HigherGroup, int]]()
 
-    def moved(joint: ToolJoint) -> tuple[Array, float]:
+    def joint_motion(joint: ToolJoint) -> tuple[Array, float]:
         return motion.values([joint], poses)[0], motion.at_zero(joint)
 
     def fitted(links: Linkage, higher_group: HigherGroup) -> None:
-        fits.append((higher_group, fit(links, higher_group, motion.joint, moved, close)))
+        fits.append((higher_group, fit(links, higher_group, motion.joint, joint_motion, close)))
 
     geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
     structure, branches = motion.solved
@@ -245,7 +245,7 @@ class _TextSearch:
         far = max(CLOSE, DIGITS * MM * compiled.assembly.size())
         self.close = np.array([CLOSE if j.kind == "T" else far for j in self.told])
 
-    def written(self) -> JointFunctions:
+    def shortest_functions(self) -> JointFunctions:
         """With the fewest decimals that keep the error."""
         best: tuple[float, int, dict[str, str], Array] | None = None
         for decimals in range(self.wish.decimals, FINEST + 1):
@@ -280,18 +280,18 @@ class _TextSearch:
         functions = self.links.functions
         names = dict(self.names)
 
-        def shown(tree: Tree) -> str:
+        def tree_text(tree: Tree) -> str:
             named = names | {t.name: t.name for t in tree.every() if t.name and t.name not in names}
             return text(tree, self.dialect, named, decimals)
 
         if self.wish.longest is None:
-            return {joint: shown(tree) for joint, tree in functions.items()}
-        kit = (lambda tree: len(shown(tree)), self.start, self.helper)
+            return {joint: tree_text(tree) for joint, tree in functions.items()}
+        kit = (lambda tree: len(tree_text(tree)), self.start, self.helper)
         made = split(functions, self.wish.longest, *kit)
         if made is None:
             data = {"longest": self.wish.longest, "least": least(functions, self.wish.longest, *kit)}
             raise Refused(Finding("functions.length", (*PATH, "longest"), data))
-        return {joint: shown(tree) for joint, tree in made.items()}
+        return {joint: tree_text(tree) for joint, tree in made.items()}
 
     def start(self, tree: Tree) -> float:
         """The value of a tree at the zero pose, where all joints are 0."""

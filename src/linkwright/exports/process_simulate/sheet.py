@@ -257,18 +257,18 @@ def _plane(compiled: Compiled, facts: HingeFacts) -> str:
         drawn = facts.swept.simplify(0.1 / plane.scale * size)
         parts = getattr(drawn, "geoms", [drawn])
         rings = [ring for part in parts for ring in (part.exterior, *part.interiors)]
-        path = "".join(f"M{points(*plane.at(*(np.array(ring.coords).T / size)))}Z" for ring in rings)
+        path = "".join(f"M{points(*plane.to_picture(*(np.array(ring.coords).T / size)))}Z" for ring in rings)
         shapes.append(f'<path class="area" d="{path}"/>')
     for look, corners in (("end", facts.outline_end), ("outline", facts.outline)):
         if corners is not None:
-            shapes.append(f'<polygon class="{look}" points="{points(*plane.at(*(corners / size)))}"/>')
+            shapes.append(f'<polygon class="{look}" points="{points(*plane.to_picture(*(corners / size)))}"/>')
     breaks = np.flatnonzero(~near)
     for run in np.split(np.arange(near.size), breaks):
         run = run[near[run]]
         if run.size > 1:
-            shapes.append(f'<polyline class="pole" points="{points(*plane.at(*pole[:, run]))}"/>')
+            shapes.append(f'<polyline class="pole" points="{points(*plane.to_picture(*pole[:, run]))}"/>')
     shapes += [
-        f'<circle class="pivot" cx="{x:.1f}" cy="{y:.1f}" r="2"/>' for x, y in zip(*plane.at(*pins), strict=True)
+        f'<circle class="pivot" cx="{x:.1f}" cy="{y:.1f}" r="2"/>' for x, y in zip(*plane.to_picture(*pins), strict=True)
     ]
     title = say(f"sheet.chart.{'pole' if facts.swept is None else 'swept'}", link=facts.panel)
     picture = (

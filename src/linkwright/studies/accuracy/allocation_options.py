@@ -127,7 +127,7 @@ def allocated(problem: Problem) -> tuple[Allocation, list[Finding]]:
     found = allocate(problem)
     notes = []
     for target in found.targets:
-        if not target.met:
+        if not target.passed:
             data = {
                 "name": target.name,
                 "wanted": f"{target.wanted / target.size:.6g}",

@@ -68,7 +68,7 @@ class Plays:
 
     def _reactions(self, t: Array) -> list[Array]:
         """What each joint transmits (N): of a guide the sum of the forces at its ends."""
-        rows = {name: jet.d[0] for name, jet in self.gaps.known(t).items()}
+        rows = {name: jet.d[0] for name, jet in self.gaps.needed_rows(t).items()}
         return [np.asarray(one.size([part for seat in one.forces(rows) for part in seat])) for one in self.held]
 
     def _warn(self, code: str, one: LooseJoint) -> None:
@@ -103,7 +103,7 @@ class Plays:
     def joints(self) -> list[JointPlay]:
         """Each joint with clearance over the run, a pin of several links once for each."""
         t, found = self.run.t, []
-        rows, reactions = self.gaps.known(t), self._reactions(t)
+        rows, reactions = self.gaps.needed_rows(t), self._reactions(t)
         for one, load, reaction in zip(self.held, self.loads, reactions, strict=True):
             units = self.resting.directions(one, load, rows)
             shift = one.displacement([tuple(one.clearance * part.d[0] for part in unit) for unit in units])
@@ -116,8 +116,8 @@ class Plays:
     def _force(self, one: LooseJoint, seat: int) -> Callable[[Array], tuple[Array, Array]]:
         """The force at a joint's contact and its rate."""
 
-        def of(t: Array) -> tuple[Array, Array]:
-            force = one.forces(self.gaps.known(t))[seat]
+        def force_and_rate(t: Array) -> tuple[Array, Array]:
+            force = one.forces(self.gaps.needed_rows(t))[seat]
             return np.stack([part.d[0] for part in force]), np.stack([part.d[1] for part in force])
 
-        return of
+        return force_and_rate

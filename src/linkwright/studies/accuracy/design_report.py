@@ -56,7 +56,7 @@ def _target(one: AllocatedTarget) -> dict[str, Any]:
         "unit": one.unit,
         "method": one.method,
         **{key: _known(width, one.size) for key, width in widths.items()},
-        "met": one.met,
+        "met": one.passed,
         "price": known(one.price * one.size),
     }
 

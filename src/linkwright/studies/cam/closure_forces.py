@@ -22,8 +22,8 @@ CLOSINGS: dict[str, Callable[[Compiled, str, Disc], Closing | None]] = {
 def held(compiled: Compiled, name: str) -> tuple[Disc, Closing | None]:
     """A cam and what keeps its follower on, made once: the check of a study and its run look for the same extremes."""
 
-    def made() -> tuple[Disc, Closing | None]:
+    def make_disc() -> tuple[Disc, Closing | None]:
         disc = disc_of(compiled, name)
         return disc, CLOSINGS[compiled.mechanism.cams[name].closed](compiled, name, disc)
 
-    return compiled.kept((held, name), made)
+    return compiled.kept((held, name), make_disc)

@@ -39,7 +39,7 @@ def press(outcome: CamOutcome) -> None:
     outcome.pressed, outcome.force_checks = done, list(done.checks())
     if done.short:
         outcome.failures.append(_lifts(outcome))
-    outcome.failures += [_over(outcome, check) for check in outcome.force_checks if not check.kept]
+    outcome.failures += [_over(outcome, check) for check in outcome.force_checks if not check.passed]
 
 
 def _lifts(outcome: CamOutcome) -> Finding:

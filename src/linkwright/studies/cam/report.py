@@ -60,7 +60,7 @@ def _plate(outcome: CamOutcome, plate: Plate) -> dict[str, Any]:
     if outcome.stated.base is not None:
         least = plate.smallest
         entry["size"] = {"base": None if least is None else least / size, "unit": length}
-    if plate.made:
+    if plate.has_profile:
         entry["contour"] = {
             "elements": len(plate.elements),
             "tolerance": plate.stated.tolerance / size,
@@ -84,7 +84,7 @@ def _check(outcome: CamOutcome, check: CamCheck) -> dict[str, Any]:
         "margin": None if check.margin is None else check.margin / size,
         "unit": unit,
         "angle_unit": angle,
-        "kept": check.kept,
+        "kept": check.passed,
     }
 
 
@@ -121,7 +121,7 @@ def cam_sentences(outcome: CamOutcome) -> list[Text]:
     length, size = outcome.compiled.quantities.unit_of(u.LENGTH)
     told = list[Text]()
     for plate in outcome.plates:
-        key = ("cam.sentence" if plate.made else "cam.sentence.none") + ("-second" if plate.second else "")
+        key = ("cam.sentence" if plate.has_profile else "cam.sentence.none") + ("-second" if plate.second else "")
         within = outcome.options.tolerance.text
         told.append(Said(key, name=outcome.name, elements=len(plate.elements), tolerance=within))
         if plate.smallest is not None:

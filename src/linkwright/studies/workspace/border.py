@@ -54,10 +54,10 @@ def border(depth: Depth, cells: Cells, chord: float) -> tuple[Array, Array, Arra
             near |= (away < AROUND * long[k] + cells.size) & (cells.size > long[k] / 8) & (cells.level < DEEPEST + 4)
         if not near.any():
             break
-        parts = cells.some(near)
+        parts = cells.subset(near)
         for _ in range(CUTS):
             parts = parts.quarters()
-        cells = joined([cells.some(~near), parts])
+        cells = joined([cells.subset(~near), parts])
     return a, b, long
 
 

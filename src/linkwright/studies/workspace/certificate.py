@@ -122,15 +122,15 @@ def _cells(decided: Decided, shape: Any, chord: float) -> list[Contradiction]:
     found = []
     shapely.prepare(shape)
     for cells, inside, kind in ((decided.reached, True, "left-out"), (decided.never, False, "too-much")):
-        wrong = cells.some(shapely.contains_xy(shape, *cells.middle) != inside)
+        wrong = cells.subset(shapely.contains_xy(shape, *cells.middle) != inside)
         far = shapely.distance(shape.boundary, shapely.points(wrong.middle.T)) > BESIDE * chord
-        wrong = wrong.some(far if len(far) else slice(0, 0))
+        wrong = wrong.subset(far if len(far) else slice(0, 0))
         if wrong.level.size:
             x, y = wrong.middle[:, int(wrong.size.argmax())].tolist()
             found.append(Contradiction(kind, float((wrong.size**2).sum()), (x, y)))
     cells = joined([decided.reached, decided.never])
     margin = BESIDE * chord
-    wide = cells.some(cells.size > 4 * margin)
+    wide = cells.subset(cells.size > 4 * margin)
     corners = shapely.get_coordinates(shape).T
     within = _inside(wide, corners, margin)
     if within.any():

@@ -58,7 +58,7 @@ class ErrorsOptions(MapsAsked):
         return self
 
     @property
-    def stated(self) -> DeviationOptions | None:
+    def deviation_options(self) -> DeviationOptions | None:
         """What the file says of deviations and clearances, ``None`` where that is wrong."""
         return self._stated
 
@@ -74,14 +74,14 @@ class ErrorsOptions(MapsAsked):
             yield from limit(compiled, self.limit, u.LENGTH, (*self.path, "limit"), Term("limit-error"))[1]
         yield from self.check_maps(compiled, KINDS)
         wrong = [*_wrong(compiled, self._stated)]
-        yield from (self._own(finding) for finding in wrong)
+        yield from (self._as_own_finding(finding) for finding in wrong)
         if not wrong:
             known = causes(compiled, self._stated).names
             for i, name in enumerate(self.contributors or ()):
                 if name not in known:
                     yield unknown("contributor", (*self.path, "contributors", i), name, known)
 
-    def _own(self, finding: Finding) -> Finding:
+    def _as_own_finding(self, finding: Finding) -> Finding:
         """That nothing deviates is told of this section."""
         return Finding(finding.code, self.path, finding.data) if finding.path == ACCURACY else finding
 

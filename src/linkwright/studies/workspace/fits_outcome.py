@@ -54,14 +54,14 @@ class FigureFit:
         return found.centre
 
     @property
-    def kept(self) -> bool:
+    def passed(self) -> bool:
         """Whether it fits; the largest does."""
         return self.fit is None or self.fit.fits
 
     @property
     def rank(self) -> tuple[bool, float]:
         """How good it is."""
-        return self.kept, self.size[0] if self.fit is None else self.fit.margin
+        return self.passed, self.size[0] if self.fit is None else self.fit.margin
 
     @property
     def outline(self) -> Array:
@@ -137,7 +137,7 @@ def required(fits: RequiredFits, outcome: WorkspaceOutcome) -> Required:
         if (made := _placed(compiled, name, figure, index, one, reached)) is not None
     ]
     found = Required(compiled, tuple(placed))
-    outcome.failures += [_nowhere(compiled, best) for best in found.best.values() if not best.kept]
+    outcome.failures += [_nowhere(compiled, best) for best in found.best.values() if not best.passed]
     return found
 
 
@@ -146,7 +146,7 @@ def _placed(
 ) -> FigureFit | None:
     parameters = parameters_of(one, compiled)
     known: dict[str, list[float]] = {}
-    for place, _ in figure.stated(compiled, name):
+    for place, _ in figure.stated_numbers(compiled, name):
         dimension = compiled.quantities.dimensions.resolve(place.wanted)
         known.setdefault(str(place.path[-1]), []).append(valued(compiled, place.expression, dimension, parameters))
     (angle,), (aspect,) = known.get("angle", [0.0]), known.get("aspect", [1.0])

@@ -151,12 +151,12 @@ def free(
     first, last = track.nodes[0, m, [0, -1]]
     time = float((last - first) / speed)
 
-    def at(t: Array) -> tuple[Array, Array]:
+    def drives_at(t: Array) -> tuple[Array, Array]:
         motion, u = _timed(track, m, first + speed * t, speed)
         motion[1, m], motion[2, m] = speed, 0.0  # to round-off it is
         return motion, u
 
-    return _way(region, wanted, track, at, time, (m, 1 - m), samples, solutions, never_reverse, forces, back)
+    return _way(region, wanted, track, drives_at, time, (m, 1 - m), samples, solutions, never_reverse, forces, back)
 
 
 Timing = Callable[[Array], Array]
@@ -184,12 +184,12 @@ def timed(
     if not found or stretches:
         return Way(None, stretches, len(found), _said(region, wanted.path, stretches, motor))
 
-    def at(t: Array) -> tuple[Array, Array]:
+    def drives_at(t: Array) -> tuple[Array, Array]:
         zero = np.zeros_like(t)
         u = timing(t) if timing else np.stack([t / duration, zero + 1 / duration, zero])
         return _ruled(found[0].at(u[0]), u[1], u[2]), u[0]
 
-    return _way(region, wanted, found[0], at, duration, (m, 1 - m), samples, len(found), never_reverse, forces, False)
+    return _way(region, wanted, found[0], drives_at, duration, (m, 1 - m), samples, len(found), never_reverse, forces, False)
 
 
 def _ruled(nodes: Array, first: Array, second: Array) -> Array:

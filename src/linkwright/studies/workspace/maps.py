@@ -74,13 +74,13 @@ class Maps:
 
     def least(self, name: str) -> MapExtreme | None:
         """The least value of a map; None where the mechanism can be assembled nowhere."""
-        return self.ends([name])[name][0]
+        return self.extremes([name])[name][0]
 
     def greatest(self, name: str) -> MapExtreme | None:
         """The greatest value of a map."""
-        return self.ends([name])[name][1]
+        return self.extremes([name])[name][1]
 
-    def ends(self, names: Sequence[str] | None = None) -> dict[str, tuple[MapExtreme | None, MapExtreme | None]]:
+    def extremes(self, names: Sequence[str] | None = None) -> dict[str, tuple[MapExtreme | None, MapExtreme | None]]:
         """The least and the greatest value of maps, of all by default: from the best places of the grid, on narrower
         and narrower grids around the best places so far."""
         names = [*self.maps] if names is None else names

@@ -186,7 +186,7 @@ class _Pictured:
         over, legend = _over(self.part, one, self.plane, self.size)
         found = self.found[id(one)]
         axes = (found.x / self.size, found.y / self.size)
-        values_text = outcome.told(one.workspace)
+        values_text = outcome.values_text(one.workspace)
         told = Said("workspace.for", values=values_text) if values_text else ""
         data = {"point": outcome.point, "mode": one.reached.mode or Said("workspace.one-mode"), "values": told}
         for name in self.part.shown:
@@ -237,7 +237,7 @@ def errors_shapes(outcome: WorkspaceOutcome) -> Iterator[tuple[Any, dict[str, An
     """What is sure of each region."""
     part = _errors(outcome)
     for one, entry in zip(part.regions, part.as_dict(), strict=True):
-        told = {"mode": one.reached.mode, "values": outcome.shown(one.workspace)}
+        told = {"mode": one.reached.mode, "values": outcome.values_in_units(one.workspace)}
         for kind, shape in (("guaranteed", one.sure.shape), ("precise", one.sure.precise)):
             if shape is not None:
                 limit = {"limit": entry[kind]["limit"]} if kind == "precise" else {}
@@ -271,7 +271,7 @@ def _csv(part: Part | None) -> str | None:
 
 def _rows(part: Part, stride: int, sizes: Array) -> Iterable[list[str]]:
     for one in part.regions:
-        values = part.outcome.shown(one.workspace).values()
+        values = part.outcome.values_in_units(one.workspace).values()
         front = [*map(cell, values), one.reached.mode]
         q = np.stack(np.meshgrid(*one.maps.axes, indexing="ij"))
         columns = np.concatenate([q, one.maps.at, [found.values for found in one.maps.maps.values()]])

@@ -134,11 +134,11 @@ class WorkspaceOutcome:
         """The working point."""
         return self.options.point
 
-    def shown(self, one: Workspace) -> dict[str, float]:
+    def values_in_units(self, one: Workspace) -> dict[str, float]:
         """The varied parameters of a workspace by name, in their units; angles in the file's."""
         return shown(self.compiled, one.values)
 
-    def told(self, one: Workspace) -> str:
+    def values_text(self, one: Workspace) -> str:
         """The same in a line."""
         return values_text(self.compiled, one.values)
 

@@ -42,7 +42,7 @@ class Attempt:
         return self.way.law
 
     @property
-    def kept(self) -> bool:
+    def is_feasible(self) -> bool:
         """Whether it can be followed as it is asked."""
         return self.law is not None and not any(one.severity == "error" for one in self.way.findings)
 
@@ -55,7 +55,7 @@ class Attempt:
             blocked |= (np.linspace(0, 1, 1001) >= one.start) & (np.linspace(0, 1, 1001) <= one.stop)
         law = self.law
         room = (0.0, 0.0) if law is None else (law.determinant, law.closure)
-        return (self.kept, law is not None, 1.0 - float(blocked.mean()), *room)
+        return (self.is_feasible, law is not None, 1.0 - float(blocked.mean()), *room)
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,7 +94,7 @@ class PathsOutcome:
             "mode": one.reached.mode,
             **shown(self.compiled, one.workspace.values),
             "followed": one.law is not None,
-            "kept": one.kept,
+            "kept": one.is_feasible,
             "best": self.best[one.name] is one,
             "unit": unit,
             "stretches": stretches,
@@ -175,7 +175,7 @@ def follow(paths: WantedPaths, outcome: WorkspaceOutcome) -> PathsOutcome:
     raise_errors(wrong)
     found = PathsOutcome(compiled, outcome.point, tuple(attempts))
     for name, best in found.best.items():
-        if best.kept:
+        if best.is_feasible:
             outcome.warnings += best.way.findings
             continue
         tried = sum(one.name == name for one in attempts)
@@ -224,6 +224,6 @@ def from_rest(time: float) -> Any:
 
 
 def _nowhere(outcome: WorkspaceOutcome, best: Attempt, tried: int) -> Finding:
-    values = outcome.told(best.workspace)
+    values = outcome.values_text(best.workspace)
     data = {"name": best.name, "count": tried, "mode": best.reached.mode or "-", "values": values or "-"}
     return Finding("workspace.path-none", (*PATH, best.name), data)

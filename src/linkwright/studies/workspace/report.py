@@ -26,7 +26,7 @@ def workspace_entry(outcome: WorkspaceOutcome) -> dict[str, Any]:
     unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
     regions, unions, overlaps, curves, turning = [], [], [], [], []
     for one in outcome.workspaces:
-        values = outcome.shown(one)
+        values = outcome.values_in_units(one)
         for reached in one.regions:
             region = reached.region
             more = {"unit": unit, "steps": region.steps, "rough": region.rough / size}

@@ -96,7 +96,7 @@ def _regions(outcome: WorkspaceOutcome, site: RunContext) -> tuple[int, int, boo
             cases.append((values, parameters))
     works = [(one, parameters) for _, parameters in cases for one in signs]
     if outcome.box is not None and works:
-        _sheet(outcome, *works[0]).ready()  # the graph isn't made for several threads
+        _sheet(outcome, *works[0]).make_programs()  # the graph isn't made for several threads
     # NumPy's calls are short and each waits for the interpreter: more threads are no sooner done, unless asked for.
     workers = site.runner.workers if outcome.box and isinstance(site.runner, Threads) else 1
     find = resumable(lambda work: _found(outcome, *work), lambda work: _sheet(outcome, *work), outcome, site)

@@ -84,11 +84,11 @@ def through(points: Array, between: str = "cubic", path: Path_ = PATH) -> Target
     share[-1] = 1.0
     spline = make_interp_spline(share, points, k=degree, bc_type="periodic" if closed and degree > 1 else None)
 
-    def of(at: Array) -> Array:
+    def place_and_rates(at: Array) -> Array:
         zero = np.zeros((2, np.size(at)))
         return np.stack([spline(at, nu=k).T if k <= degree else zero for k in range(3)])
 
-    return TargetPath(of, closed, _corners(points, share, closed) if degree == 1 else (), path)
+    return TargetPath(place_and_rates, closed, _corners(points, share, closed) if degree == 1 else (), path)
 
 
 def _corners(points: Array, share: Array, closed: bool) -> tuple[float, ...]:
@@ -150,7 +150,7 @@ def from_formula(
     if findings:
         raise ModelError(findings)
 
-    def of(at: Array) -> Array:
+    def place_and_rates(at: Array) -> Array:
         at = np.asarray(at, dtype=float)
         jet = Jet([at, np.ones_like(at), np.zeros_like(at)])
         rows = []
@@ -160,13 +160,13 @@ def from_formula(
             rows.append((value if isinstance(value, Jet) else Jet.constant(value, 2)).d)
         return np.array([[np.broadcast_to(row[k], at.shape) for row in rows] for k in range(3)], dtype=float)
 
-    tried = of(np.linspace(0.0, 1.0, 257))
+    tried = place_and_rates(np.linspace(0.0, 1.0, 257))
     if not np.isfinite(tried).all():
         where = float(np.linspace(0.0, 1.0, 257)[~np.isfinite(tried).all(axis=(0, 1))][0])
         raise ModelError([Finding("workspace.path-value", path, {"u": where})])
     size = float(np.ptp(tried[0], axis=1).max())
     closed = bool(np.hypot(*(tried[0, :, -1] - tried[0, :, 0])) <= SAME * size)
-    return TargetPath(of, closed, path=path)
+    return TargetPath(place_and_rates, closed, path=path)
 
 
 def _strange(node: Node, quantities: Quantities) -> str | None:

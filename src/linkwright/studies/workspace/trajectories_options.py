@@ -72,7 +72,7 @@ class TrajectoriesAsked(Frozen):
         if wrong := positive(compiled, every, dimension, at):
             yield from wrong
             return
-        ends, step = options.stated(compiled, drive)[0], constant(compiled.quantities, every, dimension, at)[0]
+        ends, step = options.range_and_faults(compiled, drive)[0], constant(compiled.quantities, every, dimension, at)[0]
         if ends is not None and step is not None and (count := (ends[1] - ends[0]) / step) > MOST:
             data = {"drive": drive, "count": f"{count:.6g}", "limit": MOST}
             yield Finding("workspace.hold-many", at, data)

@@ -64,12 +64,12 @@ class TrajectoriesPart:
         values = self.values / size
         return {
             "mode": one.reached.mode,
-            **self.outcome.shown(one.workspace),
+            **self.outcome.values_in_units(one.workspace),
             "hold": held,
             "moving": moving,
             "values": {"from": float(values[0]), "to": float(values[-1]), "count": int(values.size), "unit": unit},
             "assembled": sum(bool(each.stretches) for each in one.found.each),
-            "whole": one.found.whole,
+            "whole": one.found.full_range_count,
             "stretches": len(one.found.stretches),
             "length": one.found.length / length,
             "unit": length_unit,
