@@ -45,12 +45,12 @@ def extremes(
     number."""
     key = figure, tuple(disc.pieces if over is None else over), exact
     if key not in disc.known_extremes:
-        disc.known_extremes[key] = _found(disc, *key)
+        disc.known_extremes[key] = _find_extremes(disc, *key)
     found: tuple[CamExtreme, CamExtreme] = disc.known_extremes[key]
     return found
 
 
-def _found(
+def _find_extremes(
     disc: Disc, figure: Figure, over: tuple[tuple[float, float], ...], exact: bool
 ) -> tuple[CamExtreme, CamExtreme]:
     found: list[tuple[Array, Array]] = []

@@ -169,7 +169,7 @@ class Measuring:
                 self.varied, self.run, p[:, some], self.steps, None if stop is None else stop[some], self.kernel
             )
             parts.append(Taken(self, bunch).evaluate_all())
-        return _joined(parts)
+        return _concatenated_samples(parts)
 
     @cached_property
     def watched(self) -> list[What]:
@@ -189,7 +189,7 @@ def _alike(own: MeasureResult, found: dict[str, Figures], size: float) -> bool:
     )
 
 
-def _joined(parts: Sequence[Many]) -> Many:
+def _concatenated_samples(parts: Sequence[Many]) -> Many:
     """Some samples after others."""
     many = Many(np.concatenate([part.failed for part in parts]))
     for name, found in parts[0].figures.items():

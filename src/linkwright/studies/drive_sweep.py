@@ -75,7 +75,8 @@ def sweeping(compiled: Compiled, drive: str) -> Compiled:
 
 
 def higher_group_ends(compiled: Compiled, low: float, high: float) -> list[tuple[tuple[float, bool], ...]]:
-    """How far down and up each higher group of a sweep can be followed between two times; see ``_BothWays.ends``."""
+    """How far down and up each higher group of a sweep can be followed between two times; see
+    ``_BothWays.followed_ends``."""
     for end in (low, high):
         compiled.inputs(np.array([end]))
     return [follower.followed_ends() for follower in compiled.followers if isinstance(follower, _BothWays)]

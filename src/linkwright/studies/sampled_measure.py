@@ -184,7 +184,7 @@ class SampledMeasure:
         return np.asarray(np.bincount(owner, b - a, self.taken.bunch.samples), dtype=float)
 
     @property
-    def window_ends(self) -> tuple[Array, Array]:
+    def ends(self) -> tuple[Array, Array]:
         """Where each one's window begins and ends (s)."""
         return self._window.first, self._window.last
 

@@ -82,7 +82,9 @@ class Kept:
 
         rows = len(task.figures.columns) + len(task.figures.required)
         tallied: dict[str, Reduction] = task.tallied if rows else {}
-        samples = Samples(task.cut, rows, len(task.varied.causes), tallied, tabled(task.plan.samples), checkpoint_of("samples"))
+        samples = Samples(
+            task.cut, rows, len(task.varied.causes), tallied, tabled(task.plan.samples), checkpoint_of("samples")
+        )
         made = cls(samples, Folding(task.cut, task.reductions, checkpoint_of("signals")), files=files)
         if task.options.keeps_signals and task.signals.texts:
             if site.out is not None:

@@ -194,7 +194,9 @@ def test_figures_over_all_directions() -> None:
     varied = Varied(compiled, ["gap", "phi"])
     many = Measuring(varied, Run(compiled, 0.0, 1.0, 60))
     shares = (1.0, 0.5, 0.25)
-    figures = [many.evaluate(varied.parameters(np.stack([0 * turned + share * 5e-5, turned]))).figures for share in shares]
+    figures = [
+        many.evaluate(varied.parameters(np.stack([0 * turned + share * 5e-5, turned]))).figures for share in shares
+    ]
     moved = Derivatives(found.run, found.gaps)
     nominal = {result.name: result.found[0].value for result in measure_all(found.run)[0]}
     for name in measures:

@@ -37,7 +37,9 @@ def test_an_undercut_cam_is_refused_with_what_mends_it() -> None:
     outcome = study(heat_seal(SMALL, blank=blank, nc=NC))
     (finding,) = outcome.failures
     assert finding.code == "cam.undercut" and not outcome.done
-    assert not outcome.has_profile and not outcome.milled and not outcome.first.elements and outcome.first.volume is None
+    assert (
+        not outcome.has_profile and not outcome.milled and not outcome.first.elements and outcome.first.volume is None
+    )
     base = float(str(finding.data["base"]).split()[0])
     assert undercut(resized(outcome.disc, {"base": base / 1e3})) is None
     assert undercut(resized(outcome.disc, {"base": base / 1e3 * (1 - 1e-5)})) is not None

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from helpers.compiled import compiled_from
 from helpers.reach.mechanisms import Mechanism
-from linkwright.studies.workspace.cells import Cells, Decided, decided, joined
+from linkwright.studies.workspace.cells import Cells, Decided, decided, merge_cells
 from linkwright.studies.workspace.curves import Segments
 from linkwright.studies.workspace.mesh import DriveBox
 from linkwright.studies.workspace.places import KnownPoses, ModePlaces
@@ -64,7 +64,7 @@ def coarser(cells: Cells, left: float) -> Cells:
     large = Cells(cells.corner, cells.side, number, np.full(number.shape[1], int(cells.level.max()) - 1))
     small = cells.subset(~wide)
     covered = np.isin(small.number[0] // 2 * 2**20 + small.number[1] // 2, number[0] * 2**20 + number[1])
-    return joined([large, small.subset(~covered)])
+    return merge_cells([large, small.subset(~covered)])
 
 
 def box_of(mechanism: Mechanism) -> DriveBox:

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from linkwright.cam.disc import TURN, Disc
 from linkwright.cam.nc.job import MillingJob, Pass, side, way
-from linkwright.cam.nc.lead_in import around, beyond, ends, leads, share
+from linkwright.cam.nc.lead_in import around, beyond, leads, path_ends, share
 from linkwright.cam.nc.path import CutterPath, Element
 
 Array = NDArray[np.float64]
@@ -133,11 +133,11 @@ class Groove:
         """The radius of both leads: the job's, or what brings the cutter in from where nothing is left ``uncut`` (mm),
         or the largest for which it, ``aside`` of them, stays between ``least`` and ``far`` beside the pitch curve,
         towards the flank; ``None`` where there is none."""
-        both, near = ends(route, share(route, self.job.overlap)), max(NEAR, self.unit)
+        both, near = path_ends(route, share(route, self.job.overlap)), max(NEAR, self.unit)
 
         def fits(radius: float) -> bool:
             made = leads(both, radius, -flank, self.job.decimals)
-            places = np.concatenate([_gone(lead, aside, k > 0) for k, lead in enumerate(made)])
+            places = np.concatenate([_lead_centres(lead, aside, k > 0) for k, lead in enumerate(made)])
             beside = flank * self.offset(places)
             return bool(beside.max() <= far + near and beside.min() >= least - near)
 
@@ -167,7 +167,7 @@ class Groove:
         return 1e3 * pitch.T, (look.offset(1.0) - pitch).T, KDTree(1e3 * pitch.T)
 
 
-def _gone(lead: Element, cutter: float, last: bool) -> Array:
+def _lead_centres(lead: Element, cutter: float, last: bool) -> Array:
     """Where a cutter's centre goes on a lead (n, 2); one of the radius ``cutter`` with compensation, which is switched
     on before the first lead or off after the last."""
     assert lead.centre is not None

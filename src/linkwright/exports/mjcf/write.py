@@ -96,7 +96,7 @@ class Writer:
         for i, hold in enumerate(self.tree.holds):
             if hold.parent != link:
                 continue
-            x, y, turn = _seen(self.start.poses[hold.child], self.start.poses.get(link, STILL))
+            x, y, turn = _relative_pose(self.start.poses[hold.child], self.start.poses.get(link, STILL))
             body = ET.SubElement(
                 parent, "body", name=body_name(hold.child), pos=_text(x, y, 0), euler=_text(0, 0, turn)
             )
@@ -167,7 +167,9 @@ class Writer:
         actuator = ET.SubElement(root, "actuator")
         for motor in self.driven:
             given = {"name": motor.drive, "joint": motor.hold.name, "gear": _text(motor.sign)}
-            ET.SubElement(actuator, "position", given, kp=_text(STIFF**2 * self._total_inertia(motor.hold)), dampratio="1")
+            ET.SubElement(
+                actuator, "position", given, kp=_text(STIFF**2 * self._total_inertia(motor.hold)), dampratio="1"
+            )
 
     def _total_inertia(self, hold: Hold) -> float:
         """The mass of all links, or their moment of inertia at the mechanism's full size, as a joint could feel it."""
@@ -185,7 +187,7 @@ def site_name(link: str, point: str) -> str:
     return f"{link}:{point}"
 
 
-def _seen(pose: Array, other: Array) -> tuple[float, float, float]:
+def _relative_pose(pose: Array, other: Array) -> tuple[float, float, float]:
     """A pose (x, y, cosine, sine) in the axes of another: x, y, angle."""
     (x, y, c, s), (x0, y0, c0, s0) = pose, other
     dx, dy = x - x0, y - y0

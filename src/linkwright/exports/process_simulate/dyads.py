@@ -152,7 +152,10 @@ class RRR(Rule):
                 bend = apart.plus(own[1]).minus(own[0])
         triangle = Triangle(base, (arms[0], arms[1]), (l1, l2), branch, bend)
         order = list(links.seats)
-        side = max((0, 1), key=lambda k: (sides[k].has_outer_joint, order.index(sides[k].base) if sides[k].base in order else -1))
+        side = max(
+            (0, 1),
+            key=lambda k: (sides[k].has_outer_joint, order.index(sides[k].base) if sides[k].base in order else -1),
+        )
         heading = dialect.aim(links, base, links.angles[sides[side].base]).turned(math.pi * side)
         angle = heading.plus(dialect.from_base(links, triangle, side)).minus(own[side])
         sides[side].turn(angle)

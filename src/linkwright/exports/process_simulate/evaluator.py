@@ -105,15 +105,15 @@ class _FormulaParser:
         opposite = minus and self.next_token[0] == "-" and bool(self.take("-"))
         total = self.term()
         if opposite:
-            total = _joined(np.negative, total)
+            total = _composed(np.negative, total)
         while self.next_token[0] in (("+", "-") if minus else ("+",)):
-            total = _joined(np.add if self.take("+", "-") == "+" else np.subtract, total, self.term())
+            total = _composed(np.add if self.take("+", "-") == "+" else np.subtract, total, self.term())
         return total
 
     def term(self) -> Value:
         product = self.factor()
         while self.next_token[0] in ("*", "/"):
-            product = _joined(np.multiply if self.take("*", "/") == "*" else np.divide, product, self.factor())
+            product = _composed(np.multiply if self.take("*", "/") == "*" else np.divide, product, self.factor())
         return product
 
     def factor(self) -> Value:
@@ -128,14 +128,14 @@ class _FormulaParser:
             return self.call(self.take(token))
         if not self.grammar.minus and [t for t, _ in self.tokens[self.next : self.next + 4]] == ["(", "-", "1", ")"]:
             self.next += 4
-            return _joined(np.negative, self.bracket())
+            return _composed(np.negative, self.bracket())
         return self.bracket()
 
     def bracket(self) -> Value:
         self.take("(")
         inner = self.sum()
         if self.next_token[0] in COMPARED:
-            inner = _joined(COMPARED[self.take(*COMPARED)], inner, self.sum())
+            inner = _composed(COMPARED[self.take(*COMPARED)], inner, self.sum())
         self.take(")")
         return inner
 
@@ -156,8 +156,8 @@ class _FormulaParser:
             self.take(",")
             args.append(self.sum())
         self.take(")")
-        return _joined(function, *args)
+        return _composed(function, *args)
 
 
-def _joined(function: Callable[..., Array], *args: Value) -> Value:
+def _composed(function: Callable[..., Array], *args: Value) -> Value:
     return lambda values: function(*(arg(values) for arg in args))

@@ -20,7 +20,7 @@ from linkwright.exports.process_simulate.masters import mastered
 from linkwright.exports.process_simulate.mirror import Mirror
 from linkwright.exports.process_simulate.motion import ToolMotion
 from linkwright.exports.process_simulate.printer import text
-from linkwright.exports.process_simulate.reach import reach
+from linkwright.exports.process_simulate.reach import drive_reach
 from linkwright.exports.process_simulate.splitting import least, split
 from linkwright.exports.process_simulate.trees import Array, Tree, evaluate, multiply, number
 from linkwright.exports.process_simulate.trees import joint as joint_value
@@ -122,7 +122,7 @@ def make(compiled: Compiled, wish: Wish) -> JointFunctions:
     """The joint functions. Raises :class:`Refused` where there are none."""
     joints = named(joints_of(compiled.structure), wish.names, wish.flipped, wish.left_out)
     motion, warnings = _motion(compiled, wish, joints)
-    make_side = partial(_made, compiled, wish)
+    make_side = partial(_make_functions, compiled, wish)
     made = make_side(joints, motion) if wish.mirror is None else _both(wish.mirror, make_side, joints, motion)
     return replace(made, warnings=tuple(warnings))
 
@@ -161,7 +161,7 @@ def _limited(count: int) -> None:
         raise Refused(Finding("functions.too-many", PATH, {"count": count, "limit": MOST}))
 
 
-def _made(compiled: Compiled, wish: Wish, joints: list[ToolJoint], motion: ToolMotion) -> JointFunctions:
+def _make_functions(compiled: Compiled, wish: Wish, joints: list[ToolJoint], motion: ToolMotion) -> JointFunctions:
     if wish.approximate is None:
         links, fits = _links(compiled, wish, joints, motion, OFFERED)
         if not fits:
@@ -188,7 +188,7 @@ def _motion(compiled: Compiled, wish: Wish, joints: list[ToolJoint]) -> tuple[To
         zero = float(values_at(compiled.laws, 0.0)[wish.drive]) if wish.zero is None else wish.zero
         ends = sorted(zero + sign * stop for stop in wish.stops)
         window, stops = (ends[0], ends[1]), (master.name, sign)
-    found = reach(compiled, wish.drive, wish.zero, window, stops)
+    found = drive_reach(compiled, wish.drive, wish.zero, window, stops)
     if isinstance(found, Finding):
         raise Refused(found)
     if master == joint:
@@ -318,7 +318,7 @@ class _TextSearch:
         row, functions = partial(dict.get, dict(zip((j.joint for j in self.told), self.expected, strict=True))), []
         for (joint, shown), got in zip(texts.items(), values, strict=True):
             own, expected = self.by_joint.get(joint), row(joint)
-            limits = _ends(got[inside] if expected is None else expected[inside])
+            limits = _value_range(got[inside] if expected is None else expected[inside])
             error = 0.0 if expected is None else float(np.abs(got - expected).max())
             links = ("", "") if own is None else (own.parent, own.child)
             kind, sign = ("D", 1.0) if own is None else (own.kind, own.sign)
@@ -342,7 +342,7 @@ class _TextSearch:
         )
 
 
-def _ends(values: Array) -> tuple[float, float]:
+def _value_range(values: Array) -> tuple[float, float]:
     """The least and the largest value; between neighbours of the extreme one, that of the parabola through them."""
 
     def largest(y: Array) -> float:

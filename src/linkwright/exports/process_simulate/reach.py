@@ -31,7 +31,7 @@ class DriveReach:
     full: bool = False
 
 
-def reach(
+def drive_reach(
     compiled: Compiled,
     drive: str,
     zero: float | None,

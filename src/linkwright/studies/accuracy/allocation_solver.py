@@ -50,11 +50,11 @@ def allocate(problem: Problem) -> Allocation:
         halves, multipliers = _optimum(problem)
     cost = problem.hull(halves)
     # Round to grades, if every item has a list of choices.
-    choice = rounded(problem, halves, multipliers, cost) if reached and _wanted(problem) else None
+    choice = rounded(problem, halves, multipliers, cost) if reached and _all_have_choices(problem) else None
     return _outcome(problem, halves, multipliers, cost, choice, reached, loose)
 
 
-def _wanted(problem: Problem) -> bool:
+def _all_have_choices(problem: Problem) -> bool:
     return all(problem.items[i].choices for i in problem.free)
 
 
@@ -99,7 +99,7 @@ def _demands(problem: Problem) -> range:
     return range(len(problem.demands))
 
 
-def _uses(problem: Problem, every: Any, rows: Sequence[int]) -> list[Any]:
+def _symbolic_target_use(problem: Problem, every: Any, rows: Sequence[int]) -> list[Any]:
     """The uses of some rows in symbols."""
     import casadi as ca
 
@@ -141,7 +141,7 @@ def _solved(problem: Problem, rows: Sequence[int]) -> tuple[Array, Array]:
             total += level
         else:
             total += law.formula(half) / scale  # type: ignore[attr-defined]
-    uses = _uses(problem, every, rows)
+    uses = _symbolic_target_use(problem, every, rows)
     # Solve with IPOPT in the logarithms of the half-widths; costs are scaled to about one.
     found = _minimum(
         ca.vertcat(u, *levels),
@@ -168,7 +168,7 @@ def _closest(problem: Problem) -> Array:
         return low
     u, every, middle = _symbols(problem)
     most = ca.SX.sym("most")
-    uses = _uses(problem, every, range(problem.owner.size))
+    uses = _symbolic_target_use(problem, every, range(problem.owner.size))
     # Otherwise minimise the largest use of all rows.
     found = _minimum(
         ca.vertcat(u, most),

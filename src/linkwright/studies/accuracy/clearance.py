@@ -19,9 +19,9 @@ from linkwright.findings import Finding, enumerated
 from linkwright.kernels import Compiled
 from linkwright.results import Run
 from linkwright.results.quadrature import gauss_points
-from linkwright.studies.accuracy.clearance_contacts import held
+from linkwright.studies.accuracy.clearance_contacts import loose_joints
 from linkwright.studies.accuracy.clearance_sensitivities import Gaps, Resting
-from linkwright.studies.accuracy.contact import joined, lost
+from linkwright.studies.accuracy.contact import lost_contact_spans, merge_spans
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.outcome import JointPlay, PlayEffect
 
@@ -40,7 +40,7 @@ class Plays:
     def __init__(self, compiled: Compiled, run: Run, options: AccuracyOptions) -> None:
         self.compiled, self.run, self.contact = compiled, run, options.contact
         self.warnings: list[Finding] = []
-        self.held = held(compiled, options.clearances)
+        self.held = loose_joints(compiled, options.clearances)
         self.gaps = Gaps(run, self.held)
         self.resting = Resting(self.gaps, self.loads)
 
@@ -108,8 +108,10 @@ class Plays:
             units = self.resting.directions(one, load, rows)
             shift = one.displacement([tuple(one.clearance * part.d[0] for part in unit) for unit in units])
             seats = range(len(units)) if load else ()
-            spans = [span for i in seats for span in lost(self.run, self._force(one, i), self.contact * load)]
-            named = tuple((a, b, f"contact.{one.kind}-{cause}") for a, b, cause in joined(spans))
+            spans = [
+                span for i in seats for span in lost_contact_spans(self.run, self._force(one, i), self.contact * load)
+            ]
+            named = tuple((a, b, f"contact.{one.kind}-{cause}") for a, b, cause in merge_spans(spans))
             found.append(JointPlay(one.joint, one.links, one.clearance, t, reaction, np.stack(shift), named))
         return found
 

@@ -78,7 +78,11 @@ def placed_signals(compiled: Compiled, options: AccuracyOptions, widest: Mapping
     def place(text: str) -> tuple[str, BoundWindow | None]:
         if match := _END.fullmatch(text):
             return match[1], compiled.quantities.window(match[2])
-        return (text, None) if _EXTREME.fullmatch(text) else instant_at(compiled.quantities.value(Expression(text), u.TIME))
+        return (
+            (text, None)
+            if _EXTREME.fullmatch(text)
+            else instant_at(compiled.quantities.value(Expression(text), u.TIME))
+        )
 
     named = {name: place(text) for name, text in options.positions.items()}
     for signal in options.signals(compiled):

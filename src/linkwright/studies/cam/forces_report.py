@@ -59,7 +59,9 @@ def force_sentences(outcome: CamOutcome) -> Iterator[Text]:
     yield Said("cam.sentence.forces", **data)
     if done.loads.rate or done.loads.preload:
         key = "sized" if None in (done.asked.rate, done.asked.preload) else "spring"
-        yield Said(f"cam.sentence.{key}", rate=value_text(done.loads.rate, rate), preload=value_text(done.loads.preload, load))
+        yield Said(
+            f"cam.sentence.{key}", rate=value_text(done.loads.rate, rate), preload=value_text(done.loads.preload, load)
+        )
     if done.asked.second is not None:
         places = ", ".join(value_text(place, u.ANGLE) for place in done.forces.reversals)
         if done.has_second_contact:

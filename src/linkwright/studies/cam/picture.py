@@ -98,7 +98,9 @@ def picture(outcome: CamOutcome, turning: bool = True) -> str:
     kinds += [*(["pitch"] if follower.radius else []), "follower", *(["worst"] if worst else [])]
     legend: list[tuple[str, Text]] = [(kind, Said(f"cam.kind.{kind}")) for kind in kinds]
     body = f'<g id="camPicture"><g>{"".join(cam)}{turned}</g><g>{rider}{moved if turning else ""}</g></g>'
-    return drawn(plane, body, legend, Said("cam.picture.turning" if turning else "cam.picture", name=outcome.name))
+    return picture_svg(
+        plane, body, legend, Said("cam.picture.turning" if turning else "cam.picture", name=outcome.name)
+    )
 
 
 def flipped(points: Array, second: bool) -> Array:
@@ -118,7 +120,7 @@ class ContactPicture:
 
 def contacts(outcome: CamOutcome) -> list[ContactPicture]:
     """Those of the follower: on the first disc, on the second, or opposite in a yoke as wide as the disc needs."""
-    made = [_ride(plate.look, plate.disc.follower.radius, plate.second) for plate in outcome.plates]
+    made = [_contact_picture(plate.look, plate.disc.follower.radius, plate.second) for plate in outcome.plates]
     span = {} if outcome.closing is None else outcome.closing.figures
     if "yoke_span_max" in span:
         (ride,) = made
@@ -128,7 +130,7 @@ def contacts(outcome: CamOutcome) -> list[ContactPicture]:
     return made
 
 
-def _ride(look: DiscJets, roller: float, second: bool) -> ContactPicture:
+def _contact_picture(look: DiscJets, roller: float, second: bool) -> ContactPicture:
     centre, normal = (
         flipped(np.array([np.broadcast_to(c.d[0], look.theta.shape) for c in of]), second)
         for of in (look.centre, look.along)
@@ -146,10 +148,10 @@ def _follower(
     some = np.linspace(0, lift.size - 1, FRAMES + 1).round().astype(int)
     if follower.turns:
         values = ";".join(f"{math.degrees(v):.3f} {px:.2f} {py:.2f}" for v in (lift[some] - lift[0]))
-        moved = _moved("rotate", values)
+        moved = _animation("rotate", values)
     else:
         values = ";".join(f"0 {-scale * v:.3f}" for v in (lift[some] - lift[0]))
-        moved = _moved("translate", values)
+        moved = _animation("translate", values)
     shapes, circles = [], []
     places = [tuple(float(v) for v in plane.to_picture(*(ride.centre[:, 0] / size))) for ride in rides]
     for ride, (cx, cy) in zip(rides, places, strict=True):
@@ -171,7 +173,7 @@ def _follower(
     if not follower.turns:
         if not follower.faced:
             shapes.append(f"M{places[0][0]:.2f} {places[0][1]:.2f}V{TOP:.2f}")
-        shapes += [_joined(places)] if len(places) > 1 else []
+        shapes += [_contact_line(places)] if len(places) > 1 else []
     else:
         circles.append((px, py, 4.0))
     body = f'<path class="follower" d="{"".join(shapes)}"/>'
@@ -179,17 +181,17 @@ def _follower(
     return body, moved
 
 
-def _joined(places: Sequence[tuple[float, ...]]) -> str:
+def _contact_line(places: Sequence[tuple[float, ...]]) -> str:
     """What a sliding follower's two contacts have between them: a line."""
     (ax, ay), (bx, by) = places
     return f"M{ax:.2f} {ay:.2f}L{bx:.2f} {by:.2f}"
 
 
 def _spin(to: str, start: str) -> str:
-    return _moved("rotate", f"{start};{to}")
+    return _animation("rotate", f"{start};{to}")
 
 
-def _moved(kind: str, values: str) -> str:
+def _animation(kind: str, values: str) -> str:
     return (
         f'<animateTransform attributeName="transform" type="{kind}" values="{values}" dur="{SECONDS}s" '
         f'begin="camPicture.click" repeatCount="2"/>'
@@ -210,14 +212,17 @@ def tool_path(outcome: CamOutcome, plate: Plate) -> str:
     low, high = every.min(axis=1) / size, every.max(axis=1) / size
     plane = PicturePlane((low[0], low[1], high[0], high[1]), outcome.compiled.quantities.unit_of(u.LENGTH)[0])
     shapes = "".join(
-        f'<polygon class="{kind}" points="{points(*plane.to_picture(*(curve / size)))}"/>' for kind, curve in curves.items()
+        f'<polygon class="{kind}" points="{points(*plane.to_picture(*(curve / size)))}"/>'
+        for kind, curve in curves.items()
     )
-    shapes += "".join(f'<polyline class="tool" points="{points(*plane.to_picture(*(line / size)))}"/>' for line in lines)
+    shapes += "".join(
+        f'<polyline class="tool" points="{points(*plane.to_picture(*(line / size)))}"/>' for line in lines
+    )
     legend: list[tuple[str, Text]] = [(kind, Said(f"cam.kind.{kind}")) for kind in (*curves, "tool")]
-    return drawn(plane, shapes, legend, Said("cam.chart.tool"))
+    return picture_svg(plane, shapes, legend, Said("cam.chart.tool"))
 
 
-def drawn(plane: PicturePlane, shapes: str, legend: Sequence[tuple[str, Text]], title: Text) -> str:
+def picture_svg(plane: PicturePlane, shapes: str, legend: Sequence[tuple[str, Text]], title: Text) -> str:
     """The whole picture with its legend below."""
     top = plane.bottom + 44.0
     rows = "".join(

@@ -102,7 +102,12 @@ class Plate:
             return x, y
 
         made = [
-            replace(e, start=turn_place(e.start), end=turn_place(e.end), centre=None if e.centre is None else turn_place(e.centre))
+            replace(
+                e,
+                start=turn_place(e.start),
+                end=turn_place(e.end),
+                centre=None if e.centre is None else turn_place(e.centre),
+            )
             for e in elements
         ]
         if self.frame.mirror > 0:

@@ -20,7 +20,7 @@ from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.model.walk import QuantityPlace, sites
 from linkwright.studies.cam.figures import FIGURES, OF_FACE, OF_ROLLER, SECOND, Range, closed_by, every, of_forces
-from linkwright.studies.cam.force_numbers import FollowerForces, given, read
+from linkwright.studies.cam.force_numbers import FollowerForces, available_figures, read
 from linkwright.studies.cam.milled_discs import as_finding
 from linkwright.studies.cam.options import PATH, CamOptions
 from linkwright.studies.numbers import constant
@@ -231,7 +231,7 @@ class DimensionReader:
         turns = self.disc.follower.turns
         figures = every(turns) | of_forces(turns)
         there = FIGURES.keys() | closed_by(self.closure, turns)
-        there |= given(self.compiled, self.name, self.disc, self.options.forces)
+        there |= available_figures(self.compiled, self.name, self.disc, self.options.forces)
         absent = OF_ROLLER if self.disc.follower.faced else OF_FACE
         there -= absent | {SECOND + name for name in absent}
         for name, requirement in self.options.require.items():

@@ -19,11 +19,11 @@ from linkwright.expressions import units as u
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.presentation.blocks import FileOf, StudyReport
-from linkwright.studies.cam.closure_forces import held
+from linkwright.studies.cam.closure_forces import cam_and_closing
 from linkwright.studies.cam.figures import CamFigure, every
 from linkwright.studies.cam.files import FILES
 from linkwright.studies.cam.force_findings import press
-from linkwright.studies.cam.milled_discs import milled, seen
+from linkwright.studies.cam.milled_discs import axis_comments, milled
 from linkwright.studies.cam.options import PATH, CamOptions
 from linkwright.studies.cam.outcome import CamOutcome
 from linkwright.studies.cam.plate import Plate
@@ -76,7 +76,7 @@ class CamStudy(Study):
         """All that is asked of the cam; nothing is made of a disc that is undercut."""
         name, _ = chosen(compiled, options)
         assert name is not None
-        outcome = _begun(compiled, options, name)
+        outcome = _initial_outcome(compiled, options, name)
         stated = outcome.stated
         for plate in outcome.plates:
             plate.checks = checks(plate.disc, stated.limits)
@@ -109,15 +109,15 @@ def _read(compiled: Compiled, options: CamOptions, name: str) -> tuple[CamRequir
     """The numbers of the options and what is wrong with them, read once for check and run."""
 
     def read_requirements() -> tuple[CamRequirements, list[Finding]]:
-        reader = DimensionReader(compiled, options, name, *held(compiled, name))
+        reader = DimensionReader(compiled, options, name, *cam_and_closing(compiled, name))
         return reader.read(), reader.findings
 
     return compiled.kept((_read, name, options), read_requirements)
 
 
-def _begun(compiled: Compiled, options: CamOptions, name: str) -> CamOutcome:
+def _initial_outcome(compiled: Compiled, options: CamOptions, name: str) -> CamOutcome:
     """The disc or discs, and what is asked of them."""
-    path, (disc, close) = ("cams", name), held(compiled, name)
+    path, (disc, close) = ("cams", name), cam_and_closing(compiled, name)
     stated, _ = _read(compiled, options, name)
     axes = frame(compiled, name)
     plates = [Plate(disc, axes, stated, path, options.steps)]
@@ -145,7 +145,7 @@ def _mill(outcome: CamOutcome, plate: Plate) -> None:
     job, nc = outcome.stated.job, outcome.options.nc
     if job is None or nc is None:
         return
-    told = seen(plate.frame)
+    told = axis_comments(plate.frame)
     if plate.second:
         name = f"{job.name[:17]}_SECOND"
         job, told = replace(job, name=name, number=job.number % 9999 + 1), ["SECOND DISC", *told]
@@ -282,7 +282,12 @@ def _place(outcome: CamOutcome, plate: Plate, check: CamCheck) -> dict[str, obje
     dimension = u.ANGLE if check.name.startswith("pressure") else u.LENGTH
     unit, size = outcome.compiled.quantities.unit_of(dimension)
     limit = "-" if check.limit is None else f"{check.limit / size:.6g}"
-    data = {"name": plate.term_for(NAMED[check.name]), "value": f"{check.value / size:.6g}", "limit": limit, "unit": unit}
+    data = {
+        "name": plate.term_for(NAMED[check.name]),
+        "value": f"{check.value / size:.6g}",
+        "limit": limit,
+        "unit": unit,
+    }
     return data | {"theta": _angle(outcome, check.theta)}
 
 

@@ -193,7 +193,9 @@ def drawing(outcome: ModesOutcome, mode: Mode) -> str:
         ends = listed([to_picture(line.point) for line in joint.line or ()])
         shapes.append(f'<polyline class="lw-centre" points="{ends}"><title>{markup(name)}</title></polyline>')
     for i, name in enumerate(name for name in links if name != FRAME):
-        corners = listed([(z.real, z.imag) for z in hull(np.array([complex(*to_picture(p)) for p in links[name].points]))])
+        corners = listed(
+            [(z.real, z.imag) for z in hull(np.array([complex(*to_picture(p)) for p in links[name].points]))]
+        )
         title = f"<title>{markup(name)}</title>"
         shapes.append(f'<polygon class="lw-body lw-c{i % 8}" points="{corners}">{title}</polygon>')
     for name in mode.places:

@@ -21,7 +21,7 @@ from linkwright.presentation.blocks import FileOf
 from linkwright.studies.workspace.mesh import DriveBox
 from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome
 from linkwright.studies.workspace.parts_report import FILES as PARTS
-from linkwright.studies.workspace.parts_report import written as parts
+from linkwright.studies.workspace.parts_report import section_documents as parts
 from linkwright.studies.workspace.picture import pictures
 from linkwright.studies.workspace.shapes import pieces
 from linkwright.studies.workspace.trajectories_report import trajectories_svg

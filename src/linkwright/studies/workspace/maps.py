@@ -150,13 +150,13 @@ def mapped(quantities: Quantities, box: DriveBox, steps: int, figures: Figures, 
     """Maps of the named figures on ``steps`` equal steps of each drive, ends included."""
     first, second = (np.linspace(a, b, steps + 1) for a, b in zip(box.low, box.high, strict=True))
     grid = np.stack(np.meshgrid(first, second, indexing="ij")).reshape(2, -1)
-    parts = together(figures, grid)
+    parts = evaluate_in_threads(figures, grid)
     rows = {name: parts[name].reshape(steps + 1, -1) for name in ("x", "y", *kinds)}
     made = {name: Map(name, rows[name], kind, *quantities.unit_of(kind)) for name, kind in kinds.items()}
     return Maps(box, (first, second), np.stack([rows["x"], rows["y"]]), made, figures)
 
 
-def together(figures: Figures, q: Array) -> dict[str, Array]:
+def evaluate_in_threads(figures: Figures, q: Array) -> dict[str, Array]:
     """All figures at many drive values (2, n), on as many threads as there are processors."""
     parts = [q[:, start : start + MOST] for start in range(0, q.shape[1], MOST)] or [q]
     found = [figures(parts[0])] if len(parts) == 1 else [*pool(processors()).map(figures, parts)]

@@ -84,7 +84,7 @@ def quality_tables(outcome: WorkspaceOutcome) -> list[Table]:
     """The least and greatest values of the maps by region; singular positions."""
     entries, unit = _quality(outcome).as_dict(), Unit(outcome.compiled.quantities.unit_of(u.LENGTH)[0])
     maps = [
-        [*region_cells(outcome, entry), title(outcome, name), _ends(one), Unit(one["unit"] or UNKNOWN)]
+        [*region_cells(outcome, entry), title(outcome, name), _value_range(one), Unit(one["unit"] or UNKNOWN)]
         for entry in entries
         for name, one in entry["maps"].items()
     ]
@@ -107,7 +107,11 @@ def errors_tables(outcome: WorkspaceOutcome) -> list[Table]:
     for entry in part.as_dict():
         found = entry["maps"]
         rows = [(found[f"error {axis} least"]["least"], found[f"error {axis} most"]["greatest"]) for axis in "xy"]
-        told = [_ends(found["error worst"]), *(_between(*ends) for ends in rows), _ends(found["spread worst"])]
+        told = [
+            _value_range(found["error worst"]),
+            *(_between(*ends) for ends in rows),
+            _value_range(found["spread worst"]),
+        ]
         unit, front = entry["unit"], region_cells(outcome, entry)
         errors.append([*front, *told, Unit(unit)])
         whats = [entry[kind] for kind in ("guaranteed", "precise") if kind in entry]
@@ -131,7 +135,7 @@ def title(outcome: WorkspaceOutcome, name: str) -> Said:
     return Said(f"workspace.map.{name.replace(' ', '-')}", determinant=by_drives(outcome), point=outcome.point)
 
 
-def _ends(one: dict[str, Any]) -> Numbers:
+def _value_range(one: dict[str, Any]) -> Numbers:
     return _between(one["least"], one["greatest"])
 
 

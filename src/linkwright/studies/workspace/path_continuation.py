@@ -180,7 +180,9 @@ def tracks(region: Region, wanted: TargetPath, off: float | None = None) -> list
     position is passed, the point may be ``off`` the path (m), :data:`OFF` of the largest link if not said."""
     mover = SheetWithRates(region.sheet)
     off = OFF * region.sheet.compiled.graph.size if off is None else off
-    found = [_followed(mover, region.box, wanted, start, off) for start in starts(region, wanted.of(np.zeros(1))[0]).T]
+    found = [
+        _follow_path(mover, region.box, wanted, start, off) for start in starts(region, wanted.of(np.zeros(1))[0]).T
+    ]
     return sorted(found, key=lambda track: -float(track.u[-1]))
 
 
@@ -208,7 +210,7 @@ def starts(region: Region, place: Array) -> Array:
     return np.array(found).reshape(-1, 2).T
 
 
-def _followed(mover: SheetWithRates, box: DriveBox, wanted: TargetPath, start: Array, off: float) -> SolutionTrack:
+def _follow_path(mover: SheetWithRates, box: DriveBox, wanted: TargetPath, start: Array, off: float) -> SolutionTrack:
     scale = box.size[:, None] / (2 * np.pi)
     q, _ = mover.solve_drives(start[:, None], wanted.of(np.zeros(1))[0])
     turns = np.floor((q[:, 0] - np.array(box.low)) / (2 * np.pi) + SAME)

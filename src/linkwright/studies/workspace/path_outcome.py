@@ -16,8 +16,8 @@ from linkwright.findings import Finding, ModelError, raise_errors
 from linkwright.kernels import Compiled
 from linkwright.presentation.json_numbers import known
 from linkwright.studies.workspace.inverse_kinematics import ServoLaw, Way, free, timed
-from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, shown
-from linkwright.studies.workspace.path_options import WantedPath, WantedPaths, rate_of, wanted
+from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, in_units
+from linkwright.studies.workspace.path_options import WantedPath, WantedPaths, build_path, rate_of
 from linkwright.studies.workspace.target_path import PATH, TargetPath
 
 Array = NDArray[np.float64]
@@ -92,7 +92,7 @@ class PathsOutcome:
         entry = {
             "path": one.name,
             "mode": one.reached.mode,
-            **shown(self.compiled, one.workspace.values),
+            **in_units(self.compiled, one.workspace.values),
             "followed": one.law is not None,
             "kept": one.is_feasible,
             "best": self.best[one.name] is one,
@@ -166,7 +166,7 @@ def follow(paths: WantedPaths, outcome: WorkspaceOutcome) -> PathsOutcome:
         for name, path in paths.root.items():
             parameters = parameters_of(one, compiled)
             try:
-                way = wanted(compiled, path, (*PATH, name), parameters)
+                way = build_path(compiled, path, (*PATH, name), parameters)
             except ModelError as error:
                 wrong += [finding for finding in error.findings if finding not in wrong]
                 continue

@@ -64,7 +64,7 @@ class TargetPath:
         return TargetPath(lambda share: sign * self.of(1.0 - share), self.closed, corners, self.path)
 
 
-def through(points: Array, between: str = "cubic", path: Path_ = PATH) -> TargetPath:
+def path_through_points(points: Array, between: str = "cubic", path: Path_ = PATH) -> TargetPath:
     """The path through points (n, 2) in m: a spline over the length of the chords as ``tables`` have it (linear,
     cubic, quintic), periodic where the last point is the first."""
     from scipy.interpolate import make_interp_spline
@@ -114,7 +114,7 @@ def from_csv(file: str, folder: Path | None = None, between: str = "cubic", path
         if dimension != u.LENGTH:
             raise ModelError([Finding("workspace.path-unit", path, {"column": found[:40]})])
         sizes.append(size)
-    return through(np.array(rows.numbers(columns)).reshape(-1, 2) * sizes, between, path)
+    return path_through_points(np.array(rows.numbers(columns)).reshape(-1, 2) * sizes, between, path)
 
 
 def from_dxf(
@@ -124,7 +124,7 @@ def from_dxf(
 
     Polylines stay straight pieces; arcs and splines become chords.
     """
-    return through(size * read_curve(file, folder, layer, path), "linear", path)
+    return path_through_points(size * read_curve(file, folder, layer, path), "linear", path)
 
 
 def from_formula(

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from linkwright.expressions import units as u
 from linkwright.studies.workspace.outcome import Reached, Workspace
 from linkwright.studies.workspace.trajectories import Trajectories, trajectories
-from linkwright.studies.workspace.trajectories_options import TrajectoriesAsked, held
+from linkwright.studies.workspace.trajectories_options import TrajectoriesAsked, held_drive
 
 if TYPE_CHECKING:
     from linkwright.studies.workspace.outcome import WorkspaceOutcome
@@ -80,7 +80,7 @@ class TrajectoriesPart:
 def trajectories_part(options: TrajectoriesAsked, outcome: WorkspaceOutcome) -> TrajectoriesPart:
     """The trajectories in each region."""
     assert outcome.box is not None
-    drive = held(outcome.compiled.mechanism, options.hold)
+    drive = held_drive(outcome.compiled.mechanism, options.hold)
     hold = outcome.compiled.graph.drives.index(drive)
     values, chord = _values(options, outcome, drive), options.chord * outcome.compiled.graph.size
     part = TrajectoriesPart(outcome, hold, values, chord)

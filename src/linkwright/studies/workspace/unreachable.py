@@ -61,7 +61,7 @@ def _none(_: Any) -> list[float]:
     return []
 
 
-def never(
+def unreachable_data(
     compiled: Compiled, ranges: Sequence[tuple[float, float]], parameters: Mapping[str, float]
 ) -> dict[str, Any] | None:
     """What a finding says of lengths that close at no values of the drives; ``None`` where they do somewhere."""
