@@ -19,7 +19,7 @@ from linkwright.app.job import examine_file
 from linkwright.enclosures import Claim, Proof, panels, proofs, prove_all
 from linkwright.measures import Measurer, bound_measures
 from linkwright.results import Run
-from linkwright.studies.change_point_carry import carried
+from linkwright.studies.change_point_carry import carry_through_change_points
 from linkwright.studies.cycle.options import CycleOptions, span
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
@@ -48,7 +48,7 @@ def cases(part: str = "") -> Iterator[Case]:
         stop, _ = span(examined.compiled, options)
         run = Run(examined.compiled, 0.0, stop, options.samples)
         if options.through == "keep":
-            run, _ = carried(run)
+            run, _ = carry_through_change_points(run)
         start = time.process_time()
         claims = searched(run)
         if claims:

@@ -19,7 +19,7 @@ from linkwright.app import examine_alone
 from linkwright.blocks import Threads
 from linkwright.studies import RunContext
 from linkwright.studies.workspace.options import SECTIONS
-from linkwright.studies.workspace.parallel import together
+from linkwright.studies.workspace.parallel import run_in_threads
 from linkwright.studies.workspace.quality import QualityTask, quality
 
 EXAMPLE = Path(__file__).resolve().parent.parent / "examples" / "five_bar_workspace.yaml"
@@ -38,7 +38,7 @@ def once(workers: int) -> tuple[float, float]:
     outcome = task.study.run(examined.compiled, alone, RunContext(runner=Threads(workers)))
     found = time.perf_counter()
     sheets = [one.region for one in outcome.regions]
-    maps, _ = together(lambda one: quality(one.sheet, one.box, TASK, STEPS, one.segments), sheets, workers)
+    maps, _ = run_in_threads(lambda one: quality(one.sheet, one.box, TASK, STEPS, one.segments), sheets, workers)
     done = time.perf_counter()
     assert len(maps) == 8 and sum(one.maps.at[0].size for one in maps.values()) > 1e6
     return found - begun, done - found

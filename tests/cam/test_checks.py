@@ -32,8 +32,8 @@ def test_the_heat_seal_cam() -> None:
     )
     angles = [math.degrees(found[name].value) for name in ("pressure_rise", "pressure_return")]
     assert max(angles) == pytest.approx(44.325, abs=5e-4)
-    assert found["pressure_rise"].kept
-    assert not by_name(HEAT, CamLimits(pressure_return=math.radians(44)))["pressure_return"].kept
+    assert found["pressure_rise"].passed
+    assert not by_name(HEAT, CamLimits(pressure_return=math.radians(44)))["pressure_return"].passed
 
 
 def test_pressure_is_looked_for_where_the_follower_moves() -> None:
@@ -72,7 +72,7 @@ def test_a_hollow_is_held_against_the_cutter() -> None:
     found = by_name(disc, CamLimits(cutter=70.0, groove=True))
     y, a = 40.0, 8 + 60.0  # at angle 0: s = s' = 0, rho = Y^2 / (Y - s'')
     assert found["hollow_radius"].value == pytest.approx(-(y**2) / (y - a) + 10.0, rel=1e-9)
-    assert not found["hollow_radius"].kept
+    assert not found["hollow_radius"].passed
     assert found["groove_radius"].margin == pytest.approx(-(y**2) / (y - a) - 10.0, rel=1e-9)
 
 

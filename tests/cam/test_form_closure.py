@@ -39,10 +39,10 @@ def test_a_groove_bears_by_the_sign_of_the_acceleration() -> None:
 
 def test_both_flanks_of_a_groove_are_checked() -> None:
     deep = groove(Disc(TranslatingRoller(30e-3, 10e-3), harmonic(8e-3, 15e-3)))
-    assert {check.name: check.kept for check in deep.checks} == {"pitch_radius": True, "groove_radius": True}
+    assert {check.name: check.passed for check in deep.checks} == {"pitch_radius": True, "groove_radius": True}
     y, roller = 30e-3, 70e-3  # at angle 0 the pitch curve's radius is y^2 / (a - y), less than the roller's
     cut = groove(Disc(TranslatingRoller(y + 35e-3 - roller, roller), harmonic(8e-3, 15e-3)))
-    assert not cut.kept
+    assert not cut.passed
     assert cut.second.flank == 1
     with pytest.raises(NoContact, match=r"cam\.groove"):
         groove(Disc(TranslatingFlat(30e-3), harmonic(1e-3)))

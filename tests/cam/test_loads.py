@@ -71,9 +71,9 @@ def test_an_eccentric_disc_lifts_off() -> None:
     sized = highest_speed(ECCENTRIC, FollowerLoads(M, C, F))
     assert sized is not None
     assert (sized.value, sized.theta) == (pytest.approx(limit, rel=1e-12), pytest.approx(math.pi))
-    assert forces(ECCENTRIC, FollowerLoads(M, C, F), limit * (1 - 1e-9)).lost == []
+    assert forces(ECCENTRIC, FollowerLoads(M, C, F), limit * (1 - 1e-9)).lift_off_stretches == []
     omega = 1.2 * limit
-    ((start, stop),) = forces(ECCENTRIC, FollowerLoads(M, C, F), omega).lost
+    ((start, stop),) = forces(ECCENTRIC, FollowerLoads(M, C, F), omega).lift_off_stretches
     edge = math.acos(-(F + C * E) / (E * (M * omega**2 - C)))
     assert (start, stop) == (pytest.approx(edge, rel=1e-12), pytest.approx(2 * math.pi - edge, rel=1e-12))
     rate = least_rate(ECCENTRIC, FollowerLoads(M, preload=F), (0.0, omega))
@@ -117,7 +117,7 @@ def test_where_the_acceleration_jumps_the_worse_side_counts() -> None:
     assert sized.value == pytest.approx(math.sqrt((F + C * 10e-3) / (M * sharp)), rel=1e-12)
     assert rate.value == pytest.approx((M * sharp * 200**2 - F) / 10e-3, rel=1e-12)
     assert least_rate(disc, FollowerLoads(M, preload=-1.0), (0.0, 1.0)) is None  # on the base circle no rate helps
-    over = forces(disc, FollowerLoads(M, C, F), sized.value * 1.001).lost
+    over = forces(disc, FollowerLoads(M, C, F), sized.value * 1.001).lift_off_stretches
     assert over[0][0] == pytest.approx(math.pi / 2)
 
 

@@ -10,7 +10,7 @@ from linkwright.app.job import examine_file
 from linkwright.expressions.language import Node
 from linkwright.measures import bound_measures
 from linkwright.results import Run
-from linkwright.studies.change_point_carry import carried
+from linkwright.studies.change_point_carry import carry_through_change_points
 from linkwright.studies.cycle.options import CycleOptions, span
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -24,7 +24,7 @@ def example_run(name: str) -> Run:
     assert isinstance(options, CycleOptions)
     stop, _ = span(examined.compiled, options)
     run = Run(examined.compiled, 0.0, stop, options.samples)
-    return carried(run)[0] if options.through == "keep" else run
+    return carry_through_change_points(run)[0] if options.through == "keep" else run
 
 
 def trees(run: Run) -> dict[str, Node]:

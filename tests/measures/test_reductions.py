@@ -101,7 +101,7 @@ def test_many_samples_are_single_ones_and_derivatives_their_differences(sizes: t
     compiled, step = model(sizes), 1e-6
     run, varied, nominal = run_of(compiled), Varied(compiled, NAMES), 1e-3 * np.array(sizes)[:, None]
     shifts = step * np.concatenate([np.eye(3), -np.eye(3)], axis=1)
-    many = Measuring(varied, run).of(varied.parameters(nominal + shifts))
+    many = Measuring(varied, run).evaluate(varied.parameters(nominal + shifts))
     for i, shift in enumerate(shifts.T):
         for result in measure_all(run_of(model(sizes + 1e3 * shift)))[0]:
             found = [many.figures[result.name][one.label].values[i] for one in result.found]

@@ -91,7 +91,7 @@ class Batch:
 
     def check(self, stop: Array | None = None) -> Many:
         """Every figure, time and verdict of every sample is that of its own run."""
-        many = self.measuring.of(self.p, stop)
+        many = self.measuring.evaluate(self.p, stop)
         for i in range(self.values.shape[1]):
             run = self.alone(i)
             for result in measure_all(run)[0]:
@@ -171,7 +171,7 @@ def test_higher_groups(made: Callable[[], Document]) -> None:
     shares = 1 + np.random.default_rng(0).uniform(-0.005, 0.005, (len(names), 3))
     some = Batch(document, names, np.array([*quantities.parameters.values()])[:, None] * shares)
     assert not some.check().failed.any()
-    assert bits(some.measuring.of(some.p[:, 1:])) == bits(some.measuring.of(some.p))[1:]
+    assert bits(some.measuring.evaluate(some.p[:, 1:])) == bits(some.measuring.evaluate(some.p))[1:]
 
 
 def test_a_drive_with_dwells() -> None:
@@ -215,7 +215,7 @@ def values(some: Batch, label: str = "", **measure: Any) -> Array:
     """One measure of samples, SI."""
     data = {**some.document.model_dump(exclude_unset=True, by_alias=True), "measures": {"m": measure}}
     made = Batch(Document.model_validate(data), some.names, some.values)
-    return made.measuring.of(made.p).figures["m"][label].values
+    return made.measuring.evaluate(made.p).figures["m"][label].values
 
 
 # Closed forms.
@@ -234,7 +234,7 @@ def test_strokes_and_dead_centres_in_closed_form() -> None:
             "fast": {"max": "abs(B.vx)"},
         }
     )
-    many = some.measuring.of(some.p)
+    many = some.measuring.evaluate(some.p)
     figures = {name: found[""].values for name, found in many.figures.items()}
     assert figures["stroke"] == near(np.sqrt((L + R) ** 2 - E**2) - np.sqrt((L - R) ** 2 - E**2))
     assert figures["far"] == near(np.arcsin(E / (L + R)))
@@ -405,7 +405,7 @@ def test_samples_that_can_not_go_round() -> None:
     measures = {"swing": {"span": "rocker.angle"}, "lift": {"extremes": "P.y"}, "mean": {"mean": "P.x"}}
     data = four_bar(measures=measures, require={"swing": ">= 0 deg", "lift": "<= b"})
     some = batch(data, a=a, b=b)
-    many = some.measuring.of(some.p)
+    many = some.measuring.evaluate(some.p)
     assert many.failed.tolist() == [False, True, True, True, True]
     for found in many.figures.values():
         for figures in found.values():
@@ -420,7 +420,7 @@ def test_a_sample_that_just_misses_closing_between_two_places_of_the_grid() -> N
     drive = {"turns": "crank", "on": "frame", "speed": "60 rpm", "start": "0.7 deg"}
     data = four_bar(b=61, drives={"motor": drive}, measures={"swing": {"span": "rocker.angle"}})
     some = batch(data, b=0.06 + np.array([1e-4, 1e-9, -1e-9, 0.0]))
-    assert some.measuring.of(some.p).failed.tolist() == [False, False, True, True]
+    assert some.measuring.evaluate(some.p).failed.tolist() == [False, False, True, True]
     assert np.isfinite(some.varied.evaluate(["P.x"], some.p, np.linspace(0, 1, some.measuring.steps + 1))).all()
 
 
@@ -455,13 +455,13 @@ def test_a_measure_without_a_finite_value_has_none() -> None:
 )
 def test_a_sample_does_not_depend_on_the_others_to_the_last_bit(path: str, monkeypatch: pytest.MonkeyPatch) -> None:
     some = Batch.round_nominal(path, 0.01 if "tailgate" not in path else 0.002, 23)
-    whole = bits(some.measuring.of(some.p))
-    assert bits(some.measuring.of(some.p[:, :1])) == whole[:1]
-    assert bits(some.measuring.of(some.p[:, 5:12])) == whole[5:12]
+    whole = bits(some.measuring.evaluate(some.p))
+    assert bits(some.measuring.evaluate(some.p[:, :1])) == whole[:1]
+    assert bits(some.measuring.evaluate(some.p[:, 5:12])) == whole[5:12]
     order = np.random.default_rng(1).permutation(23)
-    assert bits(some.measuring.of(some.p[:, order])) == [whole[i] for i in order]
+    assert bits(some.measuring.evaluate(some.p[:, order])) == [whole[i] for i in order]
     monkeypatch.setattr("linkwright.studies.batch_plan.CHUNK", 3000)
-    assert bits(some.measuring.of(some.p)) == whole
+    assert bits(some.measuring.evaluate(some.p)) == whole
 
 
 def test_some_names_only() -> None:
@@ -470,7 +470,7 @@ def test_some_names_only() -> None:
     many = measure_many(some.varied, run, some.p, bound_measures(some.compiled.quantities, ["stroke", "M0_feed"]))
     assert [*many.figures] == ["stroke", "M0_feed"]
     assert [*many.met] == ["stroke"]
-    whole = some.measuring.of(some.p)
+    whole = some.measuring.evaluate(some.p)
     assert many.figures["M0_feed"]["max"].values == near(whole.figures["M0_feed"]["max"].values)
 
 
@@ -479,7 +479,7 @@ def test_samples_in_which_a_denominator_vanishes_have_no_number() -> None:
     data = slider_crank(measures={"m": {"max": "1 mm/(210 mm - C.x)"}, "x": {"max": "C.x"}})
     radii = [0.045, 0.0505, 0.0509, 0.05095, 0.051, 0.055]
     some = batch(data, r=radii)
-    many = some.measuring.of(some.p)
+    many = some.measuring.evaluate(some.p)
     reach = np.sqrt((np.array(radii) + 0.16) ** 2 - 0.02**2)
     assert np.isnan(many.figures["m"][""].values).tolist() == (reach > 0.21).tolist()
     finite = reach < 0.21

@@ -42,7 +42,7 @@ class CamCheck:
     margin: float | None = None
 
     @property
-    def kept(self) -> bool:
+    def passed(self) -> bool:
         """Whether the limit is kept, or none was asked for."""
         return self.margin is None or self.margin >= 0
 
@@ -62,17 +62,17 @@ def _checks(disc: Disc, limits: CamLimits, exact: bool, limited: bool = False) -
         if not (limited and most is None) and (moving := stretches(disc, rising)):
             found = extremes(disc, pressure, moving, exact)[1]
             yield CamCheck(name, found.value, found.theta, most, None if most is None else most - found.value)
-    yield from (_faced if disc.follower.faced else _rolled)(disc, limits, exact, limited)
+    yield from (_flat_face_checks if disc.follower.faced else _roller_checks)(disc, limits, exact, limited)
 
 
-def _faced(disc: Disc, limits: CamLimits, exact: bool, _: bool) -> Iterator[CamCheck]:
+def _flat_face_checks(disc: Disc, limits: CamLimits, exact: bool, _: bool) -> Iterator[CamCheck]:
     """A flat face touches convex places only."""
     least = extremes(disc, lambda look: 1.0 / look.curvature, exact=exact)[0]
     limit = limits.profile_radius or 0.0
     yield CamCheck("profile_radius", least.value, least.theta, limit, least.value - limit)
 
 
-def _rolled(disc: Disc, limits: CamLimits, exact: bool, limited: bool) -> Iterator[CamCheck]:
+def _roller_checks(disc: Disc, limits: CamLimits, exact: bool, limited: bool) -> Iterator[CamCheck]:
     roller = disc.follower.radius
     hollow, bulge = extremes(disc, curvature(), exact=exact)
     if bulge.value > 0:

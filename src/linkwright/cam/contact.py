@@ -71,7 +71,7 @@ class ContactPlace:
         return self.disc.sense * dot((contact[0], contact[1]), look.along) - look.lift.rate() * dot(body, tangent)
 
 
-def reach(look: DiscJets) -> Jet:
+def contact_lever(look: DiscJets) -> Jet:
     """The lever of the contact force along the lift (m/m or m/rad): the cosine of the pressure angle times the length
     of the arm."""
     return dot(look.along, look.arm)
@@ -95,7 +95,7 @@ def drivable(side: ContactPlace) -> None:
         for (start, _), before, after in zip(disc.pieces, [found[-1], *found], found, strict=False):
             if abs(after[0] - before[-1]) > JUMP * size:
                 raise NoContact("cam.shock", theta=start)
-    least = extremes(disc, reach)[0]
+    least = extremes(disc, contact_lever)[0]
     if not least.value > 0:
         raise NoContact("cam.locked", theta=least.theta)
 

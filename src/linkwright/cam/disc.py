@@ -92,7 +92,7 @@ class Disc:
         return list(zip(starts, [*starts[1:], TURN], strict=True))
 
     @cached_property
-    def known(self) -> dict[Any, Any]:
+    def known_extremes(self) -> dict[Any, Any]:
         """What has been found out about it: :func:`linkwright.cam.extremes.extremes`."""
         return {}
 
@@ -122,26 +122,26 @@ class Disc:
         angle = Jet([theta, np.ones_like(theta), *(np.zeros_like(theta) for _ in range(order - 1))])
         lift = self.lift(angle)
         with np.errstate(divide="ignore", invalid="ignore"):  # in a cusp the curvature is infinite
-            made = self._faced(angle, lift) if self.follower.faced else self._rolled(angle, lift)
+            made = self._flat_face_contact(angle, lift) if self.follower.faced else self._roller_contact(angle, lift)
         return DiscJets(theta, lift, *made)
 
-    def _rolled(self, angle: Jet, lift: Jet) -> tuple[Vector, Vector, Jet, Jet, Jet, Vector, Vector, Vector]:
+    def _roller_contact(self, angle: Jet, lift: Jet) -> tuple[Vector, Vector, Jet, Jet, Jet, Vector, Vector, Vector]:
         centre = self.follower.touch(lift).at
         assert centre is not None
-        way = self._seen(centre)
+        way = self._rate_in_cam(centre)
         square = dot(way, way)
         speed = square.sqrt()
         along = -self.sense * way[1] / speed, self.sense * way[0] / speed
-        curvature = -self.sense * cross(way, self._seen(way)) / (square * speed)
+        curvature = -self.sense * cross(way, self._rate_in_cam(way)) / (square * speed)
         pitch, normal = turned(-self.sense * angle, centre, along)
         arm = self.follower.velocity(centre)
         return pitch, normal, curvature, self._pressure(along, arm), speed, centre, along, arm
 
-    def _seen(self, a: Vector) -> Vector:
+    def _rate_in_cam(self, a: Vector) -> Vector:
         """The derivative of a vector as the cam sees it, in directions of the fixed frame."""
         return a[0].rate() + self.sense * a[1], a[1].rate() - self.sense * a[0]
 
-    def _faced(self, angle: Jet, lift: Jet) -> tuple[Vector, Vector, Jet, Jet, Jet, Vector, Vector, Vector]:
+    def _flat_face_contact(self, angle: Jet, lift: Jet) -> tuple[Vector, Vector, Jet, Jet, Jet, Vector, Vector, Vector]:
         touch = self.follower.touch(lift)
         facing, height, along = touch.facing, touch.height, touch.along
         assert facing is not None and height is not None and along is not None

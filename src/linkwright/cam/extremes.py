@@ -44,13 +44,13 @@ def extremes(
     the best of 2 :data:`STEPS` places of each stretch, much sooner. Raises ValueError where the figure is nowhere a
     number."""
     key = figure, tuple(disc.pieces if over is None else over), exact
-    if key not in disc.known:
-        disc.known[key] = _found(disc, *key)
-    found: tuple[CamExtreme, CamExtreme] = disc.known[key]
+    if key not in disc.known_extremes:
+        disc.known_extremes[key] = _find_extremes(disc, *key)
+    found: tuple[CamExtreme, CamExtreme] = disc.known_extremes[key]
     return found
 
 
-def _found(
+def _find_extremes(
     disc: Disc, figure: Figure, over: tuple[tuple[float, float], ...], exact: bool
 ) -> tuple[CamExtreme, CamExtreme]:
     found: list[tuple[Array, Array]] = []

@@ -27,7 +27,7 @@ class GrooveClosure:
     """A roller between two flanks, both offset from the pitch curve by its radius.
 
     ``checks`` are those of the inner flank (``pitch_radius``) and of the outer one (``groove_radius``), each with its
-    limit, margin and place; a flank whose check isn't ``kept`` is undercut.
+    limit, margin and place; a flank whose check isn't ``passed`` is undercut.
     """
 
     disc: Disc
@@ -44,9 +44,9 @@ class GrooveClosure:
         return {}
 
     @property
-    def kept(self) -> bool:
+    def passed(self) -> bool:
         """Whether neither flank is undercut."""
-        return all(check.kept for check in self.checks)
+        return all(check.passed for check in self.checks)
 
 
 def groove(disc: Disc) -> GrooveClosure:

@@ -17,7 +17,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.cam.contact import ContactPlace, drivable, reach, rows
+from linkwright.cam.contact import ContactPlace, contact_lever, drivable, rows
 from linkwright.cam.disc import Disc, DiscJets
 from linkwright.cam.disc import inside as within
 from linkwright.cam.extremes import STEPS, CamExtreme, Figure, extremes
@@ -106,10 +106,10 @@ class CamForces:
     def figure(self, second: bool = False) -> Figure:
         """The contact force (N) on a side, negative where the other one bears, as a figure of the first's look."""
         if not second:
-            return lambda look: self.loads.along(look, self.omega) / reach(look)
+            return lambda look: self.loads.along(look, self.omega) / contact_lever(look)
         assert self.second is not None
         side = self.second
-        return lambda look: -self.loads.along(look, self.omega) / reach(side.look(look.theta))
+        return lambda look: -self.loads.along(look, self.omega) / contact_lever(side.look(look.theta))
 
     def values(self, figure: Figure) -> Array:
         """A figure of the first side's look at ``theta``: (n,)."""
@@ -197,7 +197,7 @@ class CamForces:
         return found
 
     @property
-    def lost(self) -> list[tuple[float, float]]:
+    def lift_off_stretches(self) -> list[tuple[float, float]]:
         """The stretches (rad) on which the first side doesn't bear: without a second one, the follower lifts off."""
         return [(part.start, part.stop) for part in self.bearing if part.side <= 0]
 

@@ -30,10 +30,10 @@ def rolled(disc: Disc, contour: Array, theta: Array) -> Array:
     if not disc.follower.faced and disc.follower.radius == 0:
         return np.array([_on_edge(disc, contour, angle) for angle in theta.tolist()])
 
-    def held(some: Array, rows: Rows) -> Array:
+    def resting_lift(some: Array, rows: Rows) -> Array:
         return _against(disc.follower.resting, disc, contour, some, rows)
 
-    return _highest(held, contour.shape[1], theta)
+    return _highest(resting_lift, contour.shape[1], theta)
 
 
 def rolled_within(disc: Disc, contour: Array, theta: Array) -> Array:
@@ -41,13 +41,13 @@ def rolled_within(disc: Disc, contour: Array, theta: Array) -> Array:
     of those about its place on an exact cam, as the groove goes around; infinity where there are none."""
     radius = disc.follower.radius
 
-    def held(some: Array, rows: Rows) -> Array:
+    def hanging_lift(some: Array, rows: Rows) -> Array:
         centre = [np.broadcast_to(c.d[0], some.shape)[:, None] for c in disc.look(some).centre]
         x, y = _fixed(disc, contour, some, rows)
         near = np.hypot(x - centre[0], y - centre[1]) < ABOUT * radius
         return np.where(near, -_against(disc.follower.hanging, disc, contour, some, rows, np.inf), -np.inf)
 
-    return -_highest(held, contour.shape[1], theta)
+    return -_highest(hanging_lift, contour.shape[1], theta)
 
 
 def _highest(held: Held, count: int, theta: Array) -> Array:

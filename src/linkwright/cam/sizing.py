@@ -40,10 +40,10 @@ def smallest(disc: Disc, limits: CamLimits, low: float, high: float, length: str
     """The smallest length within ``low`` .. ``high`` (m) from which on the limits are kept, up to the next failure;
     ``None`` where they are nowhere kept."""
 
-    def kept(value: float, exact: bool = True) -> float:
+    def margin_at(value: float, exact: bool = True) -> float:
         return margin(resized(disc, {length: value}), limits, exact)
 
-    return first_kept(kept, low, high)
+    return first_kept(margin_at, low, high)
 
 
 def first_kept(kept: Callable[..., float], low: float, high: float) -> float | None:

@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.cam.contact import ContactPlace, drivable, reach, rows
+from linkwright.cam.contact import ContactPlace, contact_lever, drivable, rows
 from linkwright.cam.disc import Disc, DiscJets
 from linkwright.cam.extremes import extremes
 from linkwright.cam.loads import FollowerLoads
@@ -80,14 +80,14 @@ def highest_speed(disc: Disc, loads: FollowerLoads, contact: float = 0.0) -> Siz
     if not loads.inertia:
         return Sized(math.inf, 0.0, math.inf)
 
-    def asked(look: DiscJets) -> Jet:
+    def inertia_share(look: DiscJets) -> Jet:
         """The inertia's share of what holds the follower at rest, over w^2."""
-        held = loads.along(look, 0.0) - reach(look) * contact
+        held = loads.along(look, 0.0) - contact_lever(look) * contact
         held = held.maximum(0.0 * held)  # where all is used up, round-off may pull
         return look.lift.rate().rate() * -loads.inertia / held
 
     with np.errstate(divide="ignore", invalid="ignore"):  # nothing presses at rest in a dwell
-        most = extremes(loads.over(disc), asked)[1]
+        most = extremes(loads.over(disc), inertia_share)[1]
     speed = 1.0 / math.sqrt(most.value) if most.value > 0 else math.inf
     return Sized(speed, most.theta, speed)
 
@@ -99,7 +99,7 @@ def _wanting(disc: Disc, loads: FollowerLoads, speeds: Speeds, contact: float) -
     for omega in sorted(set(speeds)):
 
         def short(look: DiscJets, omega: float = omega) -> Jet:
-            return reach(look) * contact - loads.along(look, omega)
+            return contact_lever(look) * contact - loads.along(look, omega)
 
         worst = extremes(loads.over(disc), short)[1]
         found.append(Sized(worst.value, worst.theta, omega))

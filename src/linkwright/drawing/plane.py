@@ -62,7 +62,7 @@ class PicturePlane:
         low_x, low_y, high_x, high_y = (edge / size for edge in box)
         return cls((low_x, low_y, high_x, high_y), unit)
 
-    def at(self, x: Array, y: Array) -> tuple[Array, Array]:
+    def to_picture(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Where places lie in the picture."""
         return LEFT + (x - self.low[0]) * self.scale, self.bottom - (y - self.low[1]) * self.scale
 
@@ -70,11 +70,11 @@ class PicturePlane:
         """Lines and numbers of the axes."""
         lines, numbers = [], []
         for value in ticks(self.low[0], self.high[0], 6):
-            x = float(self.at(np.array(value), np.array(0.0))[0])
+            x = float(self.to_picture(np.array(value), np.array(0.0))[0])
             lines.append(f"M{x:.1f} {TOP:.0f}V{self.bottom:.1f}")
             numbers.append(f'<text x="{x:.1f}" y="{self.bottom + 14:.1f}" text-anchor="middle">{_number(value)}</text>')
         for value in ticks(self.low[1], self.high[1], 6):
-            y = float(self.at(np.array(0.0), np.array(value))[1])
+            y = float(self.to_picture(np.array(0.0), np.array(value))[1])
             lines.append(f"M{LEFT:.0f} {y:.1f}H{self.right:.1f}")
             numbers.append(f'<text x="{LEFT - 6:.0f}" y="{y + 4:.1f}" text-anchor="end">{_number(value)}</text>')
         label = f"x, y, {self.unit}" if self.unit else "x, y"
@@ -126,4 +126,4 @@ def outline(shape: Any, plane: PicturePlane, size: float) -> str:
     drawn = shapely.get_parts(shape.simplify(0.1 / plane.scale * size))
     filled = [part for part in drawn if part.geom_type == "Polygon" and not part.is_empty]
     rings = [ring for polygon in filled for ring in (polygon.exterior, *polygon.interiors)]
-    return "".join(f"M{points(*plane.at(*(np.array(ring.coords).T / size)))}Z" for ring in rings)
+    return "".join(f"M{points(*plane.to_picture(*(np.array(ring.coords).T / size)))}Z" for ring in rings)

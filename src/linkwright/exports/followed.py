@@ -10,7 +10,7 @@ from linkwright.kernels import Compiled
 from linkwright.model.document import Document
 from linkwright.results import Run
 from linkwright.studies.assembly_checks import unassembled
-from linkwright.studies.change_point_carry import carried
+from linkwright.studies.change_point_carry import carry_through_change_points
 from linkwright.studies.cycle.options import CycleOptions, span
 
 
@@ -32,11 +32,11 @@ def duration(
     return (None if findings else seconds), findings
 
 
-def followed(compiled: Compiled, document: Document | None, stop: float, steps: int) -> tuple[Run, list[Finding]]:
+def follow_motion(compiled: Compiled, document: Document | None, stop: float, steps: int) -> tuple[Run, list[Finding]]:
     """The motion to ``stop`` (s), carried through change points where the file's cycle is, and why it can't be
     followed."""
     run, kept = Run(compiled, 0.0, stop, steps), list[Finding]()
     cycle = cycle_of(document)
     if cycle is not None and cycle.through == "keep":
-        run, kept = carried(run)
+        run, kept = carry_through_change_points(run)
     return run, kept or unassembled(run)

@@ -52,7 +52,7 @@ def measure_many(
 
     To ask again and again keep a :class:`Measuring`.
     """
-    return Measuring(varied, run, measures).of(p, stop)
+    return Measuring(varied, run, measures).evaluate(p, stop)
 
 
 class Measuring:
@@ -73,7 +73,7 @@ class Measuring:
         self.steps = self._steps()
         self.jumping = self._jumping()
         self.panels = self._panels()
-        self.single |= self._apart()
+        self.single |= self._coarse_measures()
 
     # What the nominal run tells.
 
@@ -139,11 +139,11 @@ class Measuring:
                 found[measure.name] = panels
         return found
 
-    def _apart(self) -> set[str]:
+    def _coarse_measures(self) -> set[str]:
         """The measures for which the shared grid is too coarse already at the nominal parameters: what is taken of
         these together differs from the run's own measures."""
         nominal = Bunch(self.varied, self.run, self.run.compiled.parameters[:, None], self.steps, kernel=self.kernel)
-        many = Taken(self, nominal).many()
+        many = Taken(self, nominal).evaluate_all()
         if not self.shared or many.failed.any():
             return set()
         sizes = [float(np.abs(nominal.on_grid(measure.signal)[0]).max()) for measure in self.shared]
@@ -159,7 +159,7 @@ class Measuring:
 
     # Many samples.
 
-    def of(self, p: Array, stop: Array | None = None) -> Many:
+    def evaluate(self, p: Array, stop: Array | None = None) -> Many:
         """The measures of samples; what one gives doesn't depend on the others, to the last bit."""
         step = max(1, CHUNK // (self.steps + 1))
         parts = []
@@ -168,8 +168,8 @@ class Measuring:
             bunch = Bunch(
                 self.varied, self.run, p[:, some], self.steps, None if stop is None else stop[some], self.kernel
             )
-            parts.append(Taken(self, bunch).many())
-        return _joined(parts)
+            parts.append(Taken(self, bunch).evaluate_all())
+        return _concatenated_samples(parts)
 
     @cached_property
     def watched(self) -> list[What]:
@@ -189,7 +189,7 @@ def _alike(own: MeasureResult, found: dict[str, Figures], size: float) -> bool:
     )
 
 
-def _joined(parts: Sequence[Many]) -> Many:
+def _concatenated_samples(parts: Sequence[Many]) -> Many:
     """Some samples after others."""
     many = Many(np.concatenate([part.failed for part in parts]))
     for name, found in parts[0].figures.items():

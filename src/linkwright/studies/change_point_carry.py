@@ -47,17 +47,17 @@ class _Touch:
     room: float
 
 
-def carried(run: Run) -> tuple[Run, list[Finding]]:
+def carry_through_change_points(run: Run) -> tuple[Run, list[Finding]]:
     """The run carried through all change points that it meets, and those through which it can't be."""
     touches: list[_Touch] = []
     for group in run.compiled.structure.groups:
         if group.modes > 1:
-            here, failed = _through(run, touches, [ReachRow(group.label)])
+            here, failed = _carry_through_touches(run, touches, [ReachRow(group.label)])
             if failed:
                 return here, failed
             touches += _touches(here, group.label)
     signals = [s.text for s in run.compiled.quantities.signals.all() if s.attribute != "arm"]
-    return _through(run, touches, signals)
+    return _carry_through_touches(run, touches, signals)
 
 
 def warnings(run: Run) -> list[Finding]:
@@ -116,7 +116,7 @@ def _polished(compiled: Compiled, row: list[ReachRow], time: float, near: float)
         return time
 
 
-def _through(run: Run, touches: list[_Touch], names: Sequence[Named]) -> tuple[Run, list[Finding]]:
+def _carry_through_touches(run: Run, touches: list[_Touch], names: Sequence[Named]) -> tuple[Run, list[Finding]]:
     """The run through some touches, and the passages in whose bands the rows of some names can't be told."""
     if not touches:
         return run, []

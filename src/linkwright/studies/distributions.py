@@ -65,7 +65,7 @@ class Steps(Frozen):
         """Its expressions with their places."""
         return [(("from",), self.from_), (("to",), self.to)]
 
-    def wrong(self, numbers: list[float]) -> Iterator[Fault]:
+    def number_faults(self, numbers: list[float]) -> Iterator[Fault]:
         """What is wrong with the numbers of its parts."""
         if numbers[0] == numbers[1]:
             yield "value.not-rising", {"low": self.from_.text[:40], "high": self.to.text[:40]}
@@ -95,7 +95,7 @@ class Listed(Written):
         """Its expressions with their places."""
         return [((i,), value) for i, value in enumerate(self.values)]
 
-    def wrong(self, numbers: list[float]) -> Iterator[Fault]:
+    def number_faults(self, numbers: list[float]) -> Iterator[Fault]:
         """Nothing: any list will do."""
         yield from ()
 
@@ -114,7 +114,7 @@ class Distribution(Frozen):
         """Its expressions with their places."""
 
     @abstractmethod
-    def wrong(self, numbers: list[float]) -> Iterator[Fault]:
+    def number_faults(self, numbers: list[float]) -> Iterator[Fault]:
         """What is wrong with the numbers of its parts (SI)."""
 
     @abstractmethod
@@ -145,7 +145,7 @@ class Normal(Distribution):
         given = ((key, getattr(self, key)) for key in ("normal", "sigma", "low", "high"))
         return [((key,), expression) for key, expression in given if expression is not None]
 
-    def wrong(self, numbers: list[float]) -> Iterator[Fault]:
+    def number_faults(self, numbers: list[float]) -> Iterator[Fault]:
         mean, sigma, low, high = self._numbers(numbers)
         if sigma <= 0:
             yield "study.sigma", {"sigma": self.sigma.text[:40]}
@@ -192,7 +192,7 @@ class Uniform(Distribution):
     def parts(self) -> list[tuple[Place, Expression]]:
         return [(("uniform", i), part) for i, part in enumerate(self.uniform)]
 
-    def wrong(self, numbers: list[float]) -> Iterator[Fault]:
+    def number_faults(self, numbers: list[float]) -> Iterator[Fault]:
         if not numbers[0] < numbers[1]:
             yield "value.not-rising", {"low": self.uniform[0].text[:40], "high": self.uniform[1].text[:40]}
 
@@ -219,7 +219,7 @@ class Triangular(Distribution):
     def parts(self) -> list[tuple[Place, Expression]]:
         return [(("triangular", i), part) for i, part in enumerate(self.triangular)]
 
-    def wrong(self, numbers: list[float]) -> Iterator[Fault]:
+    def number_faults(self, numbers: list[float]) -> Iterator[Fault]:
         low, mode, high = numbers
         if not (low <= mode <= high and low < high):
             yield "study.triangle", {"values": ", ".join(part.text[:20] for part in self.triangular)}

@@ -45,7 +45,7 @@ class _BothWays(Continuation):
             found[:, below] = self.down.inputs(-t[below], higher_groups=self.place + 1)[self.rows]
         return found
 
-    def ends(self) -> tuple[tuple[float, bool], ...]:
+    def followed_ends(self) -> tuple[tuple[float, bool], ...]:
         """How far the higher group could be followed down and up so far, infinite where it could all the way; and
         whether a slide ran away there."""
         paths = self.down.followers[self.place].path, self.path
@@ -75,10 +75,11 @@ def sweeping(compiled: Compiled, drive: str) -> Compiled:
 
 
 def higher_group_ends(compiled: Compiled, low: float, high: float) -> list[tuple[tuple[float, bool], ...]]:
-    """How far down and up each higher group of a sweep can be followed between two times; see ``_BothWays.ends``."""
+    """How far down and up each higher group of a sweep can be followed between two times; see
+    ``_BothWays.followed_ends``."""
     for end in (low, high):
         compiled.inputs(np.array([end]))
-    return [follower.ends() for follower in compiled.followers if isinstance(follower, _BothWays)]
+    return [follower.followed_ends() for follower in compiled.followers if isinstance(follower, _BothWays)]
 
 
 class Stop(NamedTuple):

@@ -59,12 +59,12 @@ class SampleFigures:
     def _measuring(self) -> Measuring:
         return Measuring(self.varied, self.run, self.measures, self.kernel)
 
-    def of(self, p: Array) -> tuple[Array, Array]:
+    def evaluate(self, p: Array) -> tuple[Array, Array]:
         """(figures, samples) in SI, NaN where a sample has none, and whether requirements are met, 1 or 0:
         (required, samples); from all parameters (parameters, samples)."""
         if not self.measures:
             return np.empty((0, p.shape[1])), np.empty((0, p.shape[1]))
-        many = self._measuring.of(p)
+        many = self._measuring.evaluate(p)
         rows = [many.figures[column.measure][column.label].values for column in self.columns]
         met = [many.met[name].astype(float) for name in self.required]
         return np.stack(rows), np.stack(met) if met else np.empty((0, p.shape[1]))

@@ -18,19 +18,19 @@ MARGIN = 0.5
 
 def histogram(values: Array, bins: int) -> tuple[Array, Counts]:
     """Edges and counts of the finite ones of some values."""
-    counts, edges = np.histogram(values[np.isfinite(values)], bins, ends(values))
+    counts, edges = np.histogram(values[np.isfinite(values)], bins, finite_range(values))
     return edges, counts.astype(np.int64)
 
 
-def ends(values: Array) -> tuple[float, float]:
+def finite_range(values: Array) -> tuple[float, float]:
     """The least and the largest of the finite ones of some values, apart where they are all the same."""
     known = values[np.isfinite(values)]
     return widened(float(known.min()), float(known.max())) if known.size else widened(0.0, 0.0)
 
 
-def reach(values: Array) -> tuple[float, float]:
+def histogram_range(values: Array) -> tuple[float, float]:
     """The ends of a histogram of many samples, from the values of the first ones."""
-    low, high = ends(values)
+    low, high = finite_range(values)
     return low - MARGIN * (high - low), high + MARGIN * (high - low)
 
 

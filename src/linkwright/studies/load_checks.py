@@ -28,7 +28,7 @@ NEAR = 1e-9
 def undefined(run: Run) -> list[Finding]:
     """Loads, springs and the like that have no value somewhere, and those whose two ends meet."""
     actions = run.compiled.graph.actions
-    findings = [_at(run, "spring.no-direction", one.path, t) for one, t in _meeting(run)]
+    findings = [_finding_at(run, "spring.no-direction", one.path, t) for one, t in _meeting(run)]
     acting = [one for one in actions.every if one.kind.acts]
     if findings or not acting:
         return findings
@@ -58,7 +58,9 @@ def outside(run: Run) -> list[Finding]:
         if over[worst] > NEAR * high:
             data = {"length": length[worst], "low": low, "high": high}
             shown = {key: f"{value / size:.6g}" for key, value in data.items()}
-            findings.append(_at(run, "spring.outside-length", one.path, float(t[worst]), "warning", of=unit, **shown))
+            findings.append(
+                _finding_at(run, "spring.outside-length", one.path, float(t[worst]), "warning", of=unit, **shown)
+            )
     return findings
 
 
@@ -84,7 +86,7 @@ def _lifted(run: Run, path: tuple[str, str], one_sided: Mapping[str, int], kind:
         if pull > NEAR * np.abs(force).max():
             unit, size = run.compiled.quantities.unit_of(run.dimension(signal))
             data = {"joint": path[1], "kind": kind, "force": f"{pull / size:.6g}", "of": unit}
-            yield _at(run, code, path, float(t[worst]), "warning", **data)
+            yield _finding_at(run, code, path, float(t[worst]), "warning", **data)
 
 
 class RunMotion:
@@ -137,10 +139,12 @@ def _explained(run: Run, one: Acting, bad: Array) -> Finding:
                 key: f"{value / size:.6g}"
                 for key, value in zip(("at", "low", "high"), (at, *table.x[[0, -1]]), strict=True)
             }
-            return _at(run, "load.outside-table", one.path, time, table=lookup.table, of=unit, **shown)
-    return _at(run, "load.not-finite", one.path, float(bad[0]))
+            return _finding_at(run, "load.outside-table", one.path, time, table=lookup.table, of=unit, **shown)
+    return _finding_at(run, "load.not-finite", one.path, float(bad[0]))
 
 
-def _at(run: Run, code: str, path: tuple[str, str], time: float, severity: str = "error", **data: Any) -> Finding:
+def _finding_at(
+    run: Run, code: str, path: tuple[str, str], time: float, severity: str = "error", **data: Any
+) -> Finding:
     """A finding at a time, with the first drive's value there."""
     return Finding(code, path, data | {"time": f"{time:.6g}"} | drive_value(run, time), severity=severity)

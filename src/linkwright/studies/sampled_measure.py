@@ -63,7 +63,7 @@ class Taken:
         self.windows = Windows(bunch, measuring.jumping)
         self.sides = sides(bunch, measuring.joins, self.windows.gaps)
 
-    def many(self) -> Many:
+    def evaluate_all(self) -> Many:
         """All of them."""
         asked = self.measuring
         self.extremes, self.coarse = self.all_extremes(), dict[str, Mask]()
@@ -121,7 +121,7 @@ class Taken:
     def all_extremes(self) -> dict[Extreme, Figures]:
         """Every extreme that a measure needs, those of one curve together."""
         asks: dict[Node, dict[tuple[BoundWindow | None, float], None]] = {}
-        for tree, window, sign in self.wanted():
+        for tree, window, sign in self.needed_extremes():
             asks.setdefault(tree, {})[window, sign] = None
         found: dict[Extreme, Figures] = {}
         jumping = [tree for tree in asks if self.sides is not None and self.measuring.run.may_jump(tree)]
@@ -132,7 +132,7 @@ class Taken:
             found |= {(tree, *place): figure for place, figure in zip(places, figures, strict=True)}
         return found
 
-    def wanted(self) -> Iterator[Extreme]:
+    def needed_extremes(self) -> Iterator[Extreme]:
         """The extremes that the measures need: curve, window, sign."""
         for measure in self.measuring.shared:
             for key, sign in measure.kind.needed_extremes(measure.entry) or ():

@@ -19,9 +19,9 @@ from linkwright.measures import BoundMeasure, bound_measures
 from linkwright.model.origin import table_files
 from linkwright.results import Run
 from linkwright.studies.assembly_checks import singular, unassembled
-from linkwright.studies.change_point_carry import carried
+from linkwright.studies.change_point_carry import carry_through_change_points
 from linkwright.studies.follower_locking import locked
-from linkwright.studies.histograms import coarse, fine, histogram, reach
+from linkwright.studies.histograms import coarse, fine, histogram, histogram_range
 from linkwright.studies.run_context import RunContext
 from linkwright.studies.sampled_study import sampled_study
 from linkwright.studies.sampling_options import Sampling
@@ -101,7 +101,7 @@ def refused(nominal: Run, options: Sampling, names: Iterable[str]) -> list[Findi
     found = unassembled(nominal) or singular(nominal)
     if found and options.cycle.through == "keep":
         path, data = ("studies", options.study), {"names": ", ".join(names)}
-        return carried(nominal)[1] or [Finding("varied.passage", path, data)]
+        return carry_through_change_points(nominal)[1] or [Finding("varied.passage", path, data)]
     return found or locked(nominal)
 
 
@@ -133,12 +133,12 @@ def perform(
     assert isinstance(task, SampleTask)
     if not tabled(task.plan.samples) and task.figures.columns:
         # The ends of histograms come from the figures of the first samples: a function of the file alone.
-        figures, _ = task.figures.of(task.varied.parameters(task.plan.values(0)))
-        work = replace(work, reach=tuple(reach(row) for row in figures))
+        figures, _ = task.figures.evaluate(task.varied.parameters(task.plan.values(0)))
+        work = replace(work, reach=tuple(histogram_range(row) for row in figures))
         task = opened(work)
         assert isinstance(task, SampleTask)
     runner = site.runner or Threads(None if KERNELS[kernel].scales else 1)
-    with closing(Kept.begun(task, work, site)) as kept:
+    with closing(Kept.open(task, work, site)) as kept:
         result = carry(work, kept.sink, runner, site.progress)
     if result.error is not None:
         raise ModelError([result.error])

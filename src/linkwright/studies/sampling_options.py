@@ -87,7 +87,7 @@ class Sampling(Frozen):
         return [*texts.values()]
 
     @property
-    def keeps(self) -> bool:
+    def keeps_signals(self) -> bool:
         """Whether every value of every signal is kept."""
         return False
 

@@ -60,7 +60,7 @@ class Samples:
             self.rows[:, done], self.cause[done], self.since[done] = (arrays[k] for k in ("rows", "cause", "since"))
 
     @property
-    def _done(self) -> int:
+    def _complete_samples(self) -> int:
         """The samples of whole units."""
         return min(self.next // self._cut.ranges * UNIT, self._cut.samples)
 
@@ -104,7 +104,7 @@ class Samples:
         arrays = {f"{FOLDED}.{key}": value for key, value in self._state.items()}
         arrays |= {"failed": self.failed, "trail": self.trail}
         if self.rows is not None:
-            done = slice(self._done)
+            done = slice(self._complete_samples)
             arrays |= {"rows": self.rows[:, done], "cause": self.cause[done], "since": self.since[done]}
         self._checkpoint.write(self.next // self._cut.ranges * self._cut.ranges, arrays)
 

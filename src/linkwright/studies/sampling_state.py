@@ -64,12 +64,12 @@ class Kept:
     files: list[Path] = field(default_factory=list)
 
     @classmethod
-    def begun(cls, task: SampleTask, work: SampleWork, site: RunContext) -> Kept:
+    def open(cls, task: SampleTask, work: SampleWork, site: RunContext) -> Kept:
         """Sinks that go on where the site's folder has them. Raises :class:`ModelError`."""
         files: list[Path] = []
         study, key = task.options.study, work.content
 
-        def kept(name: str) -> Checkpoint | None:
+        def checkpoint_of(name: str) -> Checkpoint | None:
             if site.out is None:
                 return None
             try:
@@ -82,9 +82,11 @@ class Kept:
 
         rows = len(task.figures.columns) + len(task.figures.required)
         tallied: dict[str, Reduction] = task.tallied if rows else {}
-        samples = Samples(task.cut, rows, len(task.varied.causes), tallied, tabled(task.plan.samples), kept("samples"))
-        made = cls(samples, Folding(task.cut, task.reductions, kept("signals")), files=files)
-        if task.options.keeps and task.signals.texts:
+        samples = Samples(
+            task.cut, rows, len(task.varied.causes), tallied, tabled(task.plan.samples), checkpoint_of("samples")
+        )
+        made = cls(samples, Folding(task.cut, task.reductions, checkpoint_of("signals")), files=files)
+        if task.options.keeps_signals and task.signals.texts:
             if site.out is not None:
                 files.append(site.out / f"{store(study)}.checkpoint")
                 for path in (files[-1], site.out / store(study)):

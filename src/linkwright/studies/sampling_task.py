@@ -163,9 +163,9 @@ class SampleTask:
             since = self._signals(atom, p, result)
         bad = since < np.inf
         if self.cut.range(atom) == 0:
-            result["figures"], result["verdicts"] = self.figures.of(p)
+            result["figures"], result["verdicts"] = self.figures.evaluate(p)
             bad |= ~np.isfinite(result["figures"]).all(axis=0)
-            if self.options.keeps:
+            if self.options.keeps_signals:
                 rows = np.concatenate([values, result["figures"]])
                 result |= {v.name: row for v, row in zip(self.of_samples(), rows, strict=True)}
         return result | self._causes(p, bad, since)
@@ -185,7 +185,7 @@ class SampleTask:
         count, samples, width = len(self.signals.texts), p.shape[1], poses.stop - poses.start
         since, t = np.full(samples, np.inf), self.run.t[poses]
         tallies = Tallies(self.reductions, count, width)
-        kept = np.empty((count, samples, width)) if self.options.keeps else None
+        kept = np.empty((count, samples, width)) if self.options.keeps_signals else None
         strip = max(1, STRIP // (count * width))
         for start in range(0, samples, strip):
             some = slice(start, min(start + strip, samples))

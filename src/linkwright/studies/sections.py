@@ -43,13 +43,15 @@ def read_section(
             read.append((owner, owner.options.model_validate(entry, context=raw)))
         except ValidationError as error:
             faults = error.errors(include_url=False)
-            findings += [_wrong(wrong, owner, (section, name), entry, fault) for fault in faults]
-            if (rest := _rest(owner, entry, {fault["loc"][0] for fault in faults if fault["loc"]}, raw)) is not None:
+            findings += [_option_finding(wrong, owner, (section, name), entry, fault) for fault in faults]
+            if (
+                rest := _sound_options(owner, entry, {fault["loc"][0] for fault in faults if fault["loc"]}, raw)
+            ) is not None:
                 read.append((owner, rest))
     return read, findings
 
 
-def _rest(owner: Any, entry: Mapping[str, Any], wrong: set[Any], raw: Any) -> Any:
+def _sound_options(owner: Any, entry: Mapping[str, Any], wrong: set[Any], raw: Any) -> Any:
     """The options without the keys that are wrong and those that can't be judged without them; ``None``: none can."""
     without = getattr(owner, "without", None)
     if without is None or not wrong or (left := without(wrong)) is None:
@@ -60,7 +62,9 @@ def _rest(owner: Any, entry: Mapping[str, Any], wrong: set[Any], raw: Any) -> An
         return None
 
 
-def _wrong(code: str, owner: Optioned, place: tuple[str, str], entry: Mapping[str, Any], fault: Any) -> Finding:
+def _option_finding(
+    code: str, owner: Optioned, place: tuple[str, str], entry: Mapping[str, Any], fault: Any
+) -> Finding:
     """A fault of an option as a finding: its own where the option has one, else what the type wants."""
     if (found := finding_of(fault, entry, owner.options, place)) is not None:
         return found

@@ -39,7 +39,7 @@ def test_closed_forms_of_the_reciprocal_law(method: str) -> None:
     assert found.optimality.worst < 1e-9
     # As half-widths scale with the target, so does the cost with its reciprocal.
     assert found.targets[0].price == pytest.approx(found.costs[1] / 1e-4, rel=1e-9)
-    assert found.targets[0].met
+    assert found.targets[0].passed
 
 
 def test_brute_force_on_three_parameters() -> None:

@@ -91,7 +91,7 @@ def loaded(data: dict[str, Any], clearances: dict[str, Any]) -> None:
     found, output = found_of(data, clearances)
     t = found.run.t
     slope = found.gaps.at([output], t).slope[0]
-    rows = {row: jet.d[0] for row, jet in found.gaps.known(t).items()}
+    rows = {row: jet.d[0] for row, jet in found.gaps.needed_rows(t).items()}
     forces = np.array([part for one in found.held for seat in one.forces(rows) for part in seat])
     assert np.abs(forces).max(axis=1).min() > 1e-3
     np.testing.assert_allclose(slope, forces, atol=1e-13 * np.abs(forces).max())

@@ -105,7 +105,7 @@ def test_an_output_moves_with_a_gap_as_the_joint_is_loaded_by_it(name: str) -> N
     found = plays(massless(data, loads={"unit": load}), clearances)
     t = found.run.t
     slope = found.gaps.at([tree(found.compiled, f"0.6*{point}.x + 0.8*{point}.y")], t).slope[0]
-    rows = {row: jet.d[0] for row, jet in found.gaps.known(t).items()}
+    rows = {row: jet.d[0] for row, jet in found.gaps.needed_rows(t).items()}
     forces = np.array([part for one in found.held for seat in one.forces(rows) for part in seat])
     assert np.abs(forces).max() > 0.1
     np.testing.assert_allclose(slope, forces, atol=1e-11 * np.abs(forces).max())
@@ -194,7 +194,9 @@ def test_figures_over_all_directions() -> None:
     varied = Varied(compiled, ["gap", "phi"])
     many = Measuring(varied, Run(compiled, 0.0, 1.0, 60))
     shares = (1.0, 0.5, 0.25)
-    figures = [many.of(varied.parameters(np.stack([0 * turned + share * 5e-5, turned]))).figures for share in shares]
+    figures = [
+        many.evaluate(varied.parameters(np.stack([0 * turned + share * 5e-5, turned]))).figures for share in shares
+    ]
     moved = Derivatives(found.run, found.gaps)
     nominal = {result.name: result.found[0].value for result in measure_all(found.run)[0]}
     for name in measures:

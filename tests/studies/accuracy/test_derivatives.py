@@ -69,7 +69,7 @@ def derived(
     nominal = np.array([NOMINAL[name] for name in names])
     steps = 2e-4 * nominal
     shifts = (steps[:, None] * OFFSETS)[None] * np.eye(len(names))[:, :, None]
-    many = Measuring(varied, run).of(varied.parameters((start[:, None, None] + shifts).reshape(len(names), -1)))
+    many = Measuring(varied, run).evaluate(varied.parameters((start[:, None, None] + shifts).reshape(len(names), -1)))
     differences = {}
     for name, measure in compiled.mechanism.measures.items():
         values = [many.figures[name][label].values for label in kind_of(measure).labels]

@@ -67,7 +67,7 @@ def test_measures_of_samples_are_those_of_models_read_anew() -> None:
     nominal = np.array([base.quantities.parameters[name] for name in names])
     values = nominal[:, None] * (1 + np.array([[0.1, -0.05], [-0.1, 0.2], [0.2, -0.3], [0.02, 0.01]]))
     varied = Varied(base, names)
-    many = Measuring(varied, Run(base, 0.0, 9.0, 40)).of(varied.parameters(values))
+    many = Measuring(varied, Run(base, 0.0, 9.0, 40)).evaluate(varied.parameters(values))
     for i, column in enumerate(values.T):
         h, w, b, k = (repr(float(value)) for value in column)
         texts = {"h": f"{h} rad", "w": f"{w} rad", "b": b, "k": f"{k} rad/s"}
@@ -86,7 +86,7 @@ def test_derivatives_of_measures_cross_joins_that_move() -> None:
     exact = Derivatives(run, Slopes(run, np.eye(len(base.parameters))[:, rows]))
     steps = 2e-4 * start
     shifts = (steps[:, None] * OFFSETS)[None] * np.eye(len(names))[:, :, None]
-    many = Measuring(varied, run).of(varied.parameters((start[:, None, None] + shifts).reshape(len(names), -1)))
+    many = Measuring(varied, run).evaluate(varied.parameters((start[:, None, None] + shifts).reshape(len(names), -1)))
     for name, measure in base.mechanism.measures.items():
         for derivative, label in zip(exact.of(name), kind_of(measure).labels, strict=True):
             figure = many.figures[name][label].values

@@ -179,7 +179,7 @@ def test_an_undercut_second_disc_is_refused_with_what_mends_it() -> None:
     (finding,) = outcome.failures
     assert finding.code == "cam.undercut" and finding.element == "cams.rider.second" and "second disc" in finding.what
     second = outcome.second
-    assert second is not None and not second.made and outcome.made  # the first one is sound
+    assert second is not None and not second.has_profile and outcome.has_profile  # the first one is sound
     assert FILES["cam_second_profile.csv"](outcome)
     told = finding.data["base"].data
     data["cams"]["rider"]["second"]["base"] = told["base"]

@@ -37,7 +37,9 @@ def test_an_undercut_cam_is_refused_with_what_mends_it() -> None:
     outcome = study(heat_seal(SMALL, blank=blank, nc=NC))
     (finding,) = outcome.failures
     assert finding.code == "cam.undercut" and not outcome.done
-    assert not outcome.made and not outcome.milled and not outcome.first.elements and outcome.first.volume is None
+    assert (
+        not outcome.has_profile and not outcome.milled and not outcome.first.elements and outcome.first.volume is None
+    )
     base = float(str(finding.data["base"]).split()[0])
     assert undercut(resized(outcome.disc, {"base": base / 1e3})) is None
     assert undercut(resized(outcome.disc, {"base": base / 1e3 * (1 - 1e-5)})) is not None
@@ -65,7 +67,7 @@ def test_a_hollow_narrower_than_the_cutter_is_refused_with_what_mends_it() -> No
     nc = NC | {"cutter": 260}
     outcome = study(heat_seal(against, nc=nc))
     assert [finding.code for finding in outcome.failures] == ["cam.hollow"]
-    assert not outcome.milled and outcome.made  # there is a profile, but not for this cutter
+    assert not outcome.milled and outcome.has_profile  # there is a profile, but not for this cutter
     base = float(str(outcome.failures[0].data["base"]).split()[0])
     kept = study(heat_seal(against | {"base": base}, limits={"cutter": 260}))
     assert kept.done and base > 39
@@ -78,7 +80,7 @@ def test_limits_and_requirements_that_are_not_kept() -> None:
     assert job.exit_code == 1
     assert [f.code for f in job.found] == ["cam.limit", "cam.limit", "cam.required", "cam.no-base"]
     assert job.cam is not None and job.cam.first.smallest is None
-    assert [c.kept for c in job.cam.first.checks] == [False, True, False, True]
+    assert [c.passed for c in job.cam.first.checks] == [False, True, False, True]
     assert "29.0444 deg" in job.found[0].what and "90 deg" in job.found[0].what
 
 
@@ -152,7 +154,7 @@ def test_the_cam_in_its_link_is_what_the_mechanism_moves() -> None:
     c, s = np.cos(turn), np.sin(turn)
     away = np.stack([x, y]) - shaft
     seen = np.stack([c * away[0] + s * away[1], c * away[1] - s * away[0]])
-    pitch = outcome.first.placed(outcome.disc.look(np.linspace(0, TURN, 20_001)).offset(0.0))
+    pitch = outcome.first.points_along_link(outcome.disc.look(np.linspace(0, TURN, 20_001)).offset(0.0))
     nearest = np.hypot(*(seen[:, :, None] - pitch[:, None, :])).min(axis=1)
     assert nearest.max() < 1e-5
     corners = np.array([element.start for element in outcome.first.contour])

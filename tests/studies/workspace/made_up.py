@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from helpers.compiled import compiled_from
 from helpers.reach.mechanisms import Mechanism
-from linkwright.studies.workspace.cells import Cells, Decided, decided, joined
+from linkwright.studies.workspace.cells import Cells, Decided, decided, merge_cells
 from linkwright.studies.workspace.curves import Segments
 from linkwright.studies.workspace.mesh import DriveBox
 from linkwright.studies.workspace.places import KnownPoses, ModePlaces
@@ -54,7 +54,7 @@ def edge_cells(depth: Depth, level: int = 6, corner: tuple[float, float] = (-2.0
     """Cells of one level along the edge of a region whose depth is no more than the distance from it."""
     axis = np.arange(2**level)
     cells = Cells(np.array(corner), side, np.stack(np.meshgrid(axis, axis)).reshape(2, -1), np.full(4**level, level))
-    return cells.some(np.abs(depth(cells.middle)) < 0.75 * cells.size)
+    return cells.subset(np.abs(depth(cells.middle)) < 0.75 * cells.size)
 
 
 def coarser(cells: Cells, left: float) -> Cells:
@@ -62,9 +62,9 @@ def coarser(cells: Cells, left: float) -> Cells:
     wide = cells.middle[0] < left
     number = np.unique(cells.number[:, wide] // 2, axis=1)
     large = Cells(cells.corner, cells.side, number, np.full(number.shape[1], int(cells.level.max()) - 1))
-    small = cells.some(~wide)
+    small = cells.subset(~wide)
     covered = np.isin(small.number[0] // 2 * 2**20 + small.number[1] // 2, number[0] * 2**20 + number[1])
-    return joined([large, small.some(~covered)])
+    return merge_cells([large, small.subset(~covered)])
 
 
 def box_of(mechanism: Mechanism) -> DriveBox:

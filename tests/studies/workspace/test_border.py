@@ -96,7 +96,7 @@ def test_more_of_a_wedges_tip_is_drawn_than_a_cell() -> None:
 
 def test_no_cells_have_no_edge() -> None:
     depth = disc(0, 0, 1)
-    a, b, off = border(depth, edge_cells(depth).some(slice(0, 0)), CHORD)
+    a, b, off = border(depth, edge_cells(depth).subset(slice(0, 0)), CHORD)
     assert a.shape == b.shape == (2, 0) and off.size == 0
     assert polygons(depth, a, b, CHORD).is_empty
 

@@ -17,13 +17,13 @@ from helpers.examples import UNITS
 from linkwright.elements.clearance import OnFlank
 from linkwright.expressions.units import LENGTH
 from linkwright.kernels import Compiled
-from linkwright.studies.accuracy.clearance_contacts import held
+from linkwright.studies.accuracy.clearance_contacts import loose_joints
 from linkwright.studies.accuracy.clearance_options import Clearance
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
 from linkwright.studies.workspace.causes import Causes
 from linkwright.studies.workspace.curves import curves
 from linkwright.studies.workspace.errors import Errors
-from linkwright.studies.workspace.guaranteed import edges, guaranteed, moved
+from linkwright.studies.workspace.guaranteed import edge_shifts, edges, guaranteed
 from linkwright.studies.workspace.mesh import DriveBox, mesh
 from linkwright.studies.workspace.region_search import reached
 from linkwright.studies.workspace.regions import Region
@@ -87,7 +87,7 @@ def deviating(compiled: Compiled, names: Any, within: float) -> Contributors:
 def causes(compiled: Compiled, clearances: dict[str, Any], names: Any = (), within: float = 0.0) -> Causes:
     """Clearances (m) of joints, besides such parameters."""
     stated = {name: Clearance.model_validate(entry) for name, entry in clearances.items()}
-    return Causes(deviating(compiled, names, within), tuple(held(compiled, stated)))
+    return Causes(deviating(compiled, names, within), tuple(loose_joints(compiled, stated)))
 
 
 def poses(count: int, compiled: Compiled) -> Array:
@@ -292,7 +292,7 @@ def test_the_rim_and_pins_that_meet_move_as_with_places_displaced() -> None:
     for kind in ("pins", "modes"):
         at = q if kind == "pins" else q * 0.97 - 0.02
         normal = np.tile([[1.0], [0.2]], 8)
-        sizes = [np.hypot(s[0::2], s[1::2]) for s in (moved(e, kind, at, normal) for e in (played, placed))]
+        sizes = [np.hypot(s[0::2], s[1::2]) for s in (edge_shifts(e, kind, at, normal) for e in (played, placed))]
         assert np.isfinite(sizes[0]).all() and sizes[0].max() > 0.1
         np.testing.assert_allclose(*sizes, rtol=1e-4, atol=1e-6)
 

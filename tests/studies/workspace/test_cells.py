@@ -16,9 +16,9 @@ from linkwright.studies.workspace.cells import (
     among,
     cut_on,
     cut_sides,
-    joined,
     key,
     known_corners,
+    merge_cells,
 )
 from linkwright.studies.workspace.places import ModePlaces
 from studies.workspace.made_up import MM, decided_of, places_of
@@ -62,7 +62,7 @@ def test_all_of_a_decided_cell_is_reached_or_none(case: tuple[Mechanism, ModePla
 
 def test_cells_cover_the_square_once(case: tuple[Mechanism, ModePlaces, Decided]) -> None:
     _, _, decided = case
-    every = joined([decided.reached, decided.never, decided.open])
+    every = merge_cells([decided.reached, decided.never, decided.open])
     assert (every.size**2).sum() == pytest.approx(every.side**2, rel=1e-12)
     at = every.corner[:, None] + np.random.default_rng(1).uniform(0, every.side, (2, 300))
     within = ((at[:, :, None] >= every.low[:, None]) & (at[:, :, None] < every.high[:, None])).all(axis=0)
@@ -134,7 +134,7 @@ def test_cutting_open_cells_on_keeps_the_square_and_draws_the_bounds_together() 
     found = decided_of(places)
     which = np.random.default_rng(5).random(found.open.level.size) < 0.1
     more = cut_on(places, found, which)
-    before, after = (joined([one.reached, one.never, one.open]) for one in (found, more))
+    before, after = (merge_cells([one.reached, one.never, one.open]) for one in (found, more))
     assert (after.size**2).sum() == pytest.approx((before.size**2).sum(), rel=1e-13)
     assert after.level.size > before.level.size
     assert found.area[0] <= more.area[0] <= expected_area(CYLINDERS) <= more.area[1] <= found.area[1]
@@ -157,11 +157,11 @@ def test_cells_know_their_places() -> None:
     np.testing.assert_array_equal(cells.low[:, :4], [[2, 0, 2, 0], [0, 2, 2, 0]])
     np.testing.assert_array_equal(cells.high[:, 3], [1, 1])
     np.testing.assert_array_equal(cells.middle[:, 0], [3, 1])
-    np.testing.assert_array_equal(cells.some(np.array([4])).low[:, 0], [1, 0])
+    np.testing.assert_array_equal(cells.subset(np.array([4])).low[:, 0], [1, 0])
 
 
 def test_quarters_cover_their_cell() -> None:
-    parts = quadtree().some(np.array([0, 5])).quarters()
+    parts = quadtree().subset(np.array([0, 5])).quarters()
     assert parts.level.tolist() == [2, 2, 2, 2, 3, 3, 3, 3]
     np.testing.assert_array_equal(parts.low[:, :4], [[2, 3, 2, 3], [0, 0, 1, 1]])
     np.testing.assert_array_equal(parts.low[:, 4:], [[0, 0.5, 0, 0.5], [1, 1, 1.5, 1.5]])

@@ -129,7 +129,7 @@ def test_much_that_is_open(ring: Known) -> None:
     assert ("open" in every) == (high - low > 0.01 * ring.shape.area)
     # As if cells of the ring itself had stayed open.
     some = decided.reached.level == decided.reached.level.min()
-    less = replace(decided, reached=decided.reached.some(~some), most=decided.most + 1.0)
+    less = replace(decided, reached=decided.reached.subset(~some), most=decided.most + 1.0)
     assert "open" in {fault.kind for fault in ring.told(ring.shape, less).faults}
 
 

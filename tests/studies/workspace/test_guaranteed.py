@@ -24,7 +24,7 @@ from linkwright.studies.workspace.causes import Causes
 from linkwright.studies.workspace.curves import curves
 from linkwright.studies.workspace.errors import Errors, errors
 from linkwright.studies.workspace.farthest import farthest
-from linkwright.studies.workspace.guaranteed import edges, guaranteed, moved
+from linkwright.studies.workspace.guaranteed import edge_shifts, edges, guaranteed
 from linkwright.studies.workspace.mesh import DriveBox, mesh
 from linkwright.studies.workspace.region_search import reached
 from linkwright.studies.workspace.regions import Region
@@ -143,7 +143,7 @@ def test_rim_moves_as_the_coupler_curve_does() -> None:
         ways = [(LENGTHS | {n: v + 1e-6}, LENGTHS | {n: v - 1e-6}) for n, v in LENGTHS.items()]
         expected.append([normal @ (coupler_in_line(t, up) - coupler_in_line(t, down)) / 2e-6 for up, down in ways])
     drives = np.repeat(np.array(q).T[:, None], 2, axis=1)
-    shifts = moved(found, "modes", drives, np.array(normals).T)
+    shifts = edge_shifts(found, "modes", drives, np.array(normals).T)
     np.testing.assert_allclose(shifts[:, 0], np.transpose(expected), atol=2e-6)
 
 
@@ -178,7 +178,7 @@ def test_where_pins_meet_the_boundary_follows_them() -> None:
     expected = [
         ((np.outer(across[0], np.linalg.solve(matrix, r)[0]) + o) * u).sum(0) for r, o in zip(right, own, strict=True)
     ]
-    np.testing.assert_allclose(moved(found, "pins", np.stack(q, axis=1), u)[:, 0], expected, atol=1e-4)
+    np.testing.assert_allclose(edge_shifts(found, "pins", np.stack(q, axis=1), u)[:, 0], expected, atol=1e-4)
 
 
 def test_all_mechanisms_within_tolerances_reach_the_guaranteed_part() -> None:

@@ -22,7 +22,7 @@ from linkwright.studies.workspace.mesh import DriveBox, mesh
 from linkwright.studies.workspace.path_continuation import SheetWithRates, SolutionTrack
 from linkwright.studies.workspace.regions import Region
 from linkwright.studies.workspace.sheet import ModeSheet
-from linkwright.studies.workspace.target_path import TargetPath, from_csv, from_dxf, from_formula, through
+from linkwright.studies.workspace.target_path import TargetPath, from_csv, from_dxf, from_formula, path_through_points
 from linkwright.studies.workspace.yaml_snippet import pasted
 
 PAPER = Path(__file__).parents[3] / "examples" / "five_bar_workspace.yaml"
@@ -169,7 +169,7 @@ def test_a_path_of_the_papers_five_bar_gives_its_law_again() -> None:
     t = np.linspace(0.0, 0.28, 141)
     points = compiled.evaluate(["P.x", "P.y"], t).T
     region = on(compiled, "P", shapely.Point(0, 0).buffer(0.1))
-    way = free(region, through(points, "quintic"), "motor", np.pi)
+    way = free(region, path_through_points(points, "quintic"), "motor", np.pi)
     law = way.law
     assert law is not None
     assert law.t[-1] == pytest.approx(0.28, abs=1e-7)
@@ -191,7 +191,7 @@ def test_dead_positions_are_passed_where_the_path_touches_the_edge_of_a_sheet() 
     t = np.linspace(0.0, 2.0, 201)
     look = region.sheet.look(given(t))
     passed = np.flatnonzero(np.diff(np.sign(look.determinant)))
-    path = through(look.at.T, "quintic")
+    path = path_through_points(look.at.T, "quintic")
     way = free(region, path, "motor", np.pi, never_reverse=True)
     law = way.law
     assert law is not None
@@ -203,7 +203,7 @@ def test_dead_positions_are_passed_where_the_path_touches_the_edge_of_a_sheet() 
     assert law.servo[1] == pytest.approx(np.pi + np.radians(40) * np.pi * np.sin(np.pi * law.t), abs=2e-4)
     assert law.at(law.dead)[1] == pytest.approx(np.interp(law.dead, law.t, law.u), abs=1e-4)
     assert codes(timed(region, path, "motor", 2.0, off=0.0)) == ["workspace.path-singular"]
-    away = through((look.at - np.array([[0.0], [1e-5]])).T, "quintic")  # 0.01 mm
+    away = path_through_points((look.at - np.array([[0.0], [1e-5]])).T, "quintic")  # 0.01 mm
     assert free(region, away, "motor", np.pi).law is None
     near = free(region, away, "motor", np.pi, off=3e-5).law
     assert near is not None
@@ -257,7 +257,7 @@ def test_paths_from_points_files_and_drawings(tmp_path: Path) -> None:
     u = np.array([0.3, 0.6])
     assert (cubic.of(u + 1e-6)[0] - cubic.of(u - 1e-6)[0]) / 2e-6 == pytest.approx(cubic.of(u)[1], rel=1e-6)
     assert cubic.backward().of(u)[1] == pytest.approx(-cubic.of(1 - u)[1])
-    square = through(np.array([[0, 0], [2, 0], [2, 1], [0, 1], [0, 0]], dtype=float), "linear")
+    square = path_through_points(np.array([[0, 0], [2, 0], [2, 1], [0, 1], [0, 0]], dtype=float), "linear")
     assert (square.closed, square.corners) == (True, pytest.approx((1 / 3, 1 / 2, 5 / 6, 1.0)))
     ezdxf = pytest.importorskip("ezdxf")
     drawing = ezdxf.new()
@@ -276,7 +276,7 @@ def test_paths_from_points_files_and_drawings(tmp_path: Path) -> None:
         (lambda: formula("1/u", "1"), "workspace.path-value"),
         (lambda: formula("1 kg", "1"), "expression.units-conflict"),
         (lambda: formula("1 +", "1"), "expression.syntax"),
-        (lambda: through(np.zeros((5, 2))), "workspace.path-short"),
+        (lambda: path_through_points(np.zeros((5, 2))), "workspace.path-short"),
         (lambda: from_csv("nowhere.csv"), "table.unreadable"),
     ],
 )
@@ -338,7 +338,7 @@ def test_a_path_that_rests_is_told() -> None:
 
 
 def test_corners_are_told() -> None:
-    way = timed(five(), through(np.array([[0.3, 1.5], [0.7, 1.5], [0.7, 1.7]]), "linear"), "motor", 1.0)
+    way = timed(five(), path_through_points(np.array([[0.3, 1.5], [0.7, 1.5], [0.7, 1.7]]), "linear"), "motor", 1.0)
     assert codes(way) == ["workspace.path-corner"]
     assert way.law is not None
     assert way.law.residual < 1e-13
@@ -346,6 +346,6 @@ def test_corners_are_told() -> None:
 
 def test_a_solution_that_ends_where_it_begins() -> None:
     """At the edge of a region, from where the path leads out of it: the motor gets nowhere."""
-    wanted = through(np.array([[0.03, 0.03], [0.036, 0.036]]), "linear")
+    wanted = path_through_points(np.array([[0.03, 0.03], [0.036, 0.036]]), "linear")
     track = SolutionTrack(SheetWithRates(five().sheet), wanted, np.zeros(1), np.zeros((3, 2, 1)), "singular")
     assert _turned(track, 0, 1.0) == 0.0

@@ -121,7 +121,7 @@ def test_sets_hold_all_poses(leg: str, size: float) -> None:
     sets = places.platforms.over([AffineForm(at[0], half, zero), AffineForm(at[1], zero, half)])
     low, high = sets.rooms[0].bounds
     for u, v in rng.uniform(-1, 1, (5, 2)):
-        x, rooms = places.platforms.at(at + size * np.array([[u], [v]]))
+        x, rooms = places.platforms.poses_at(at + size * np.array([[u], [v]]))
         pose, real = x[2:], rooms[0] > 1e-12
         held = np.zeros(sets.of.size, dtype=bool)
         for slot, of in np.argwhere(real):

@@ -65,7 +65,7 @@ def bits(outcome: WorkspaceOutcome) -> list[Any]:
 def found(monkeypatch: pytest.MonkeyPatch) -> list[tuple[float, ...]]:
     """The parameters of all regions that are computed, and not taken from their files."""
     computed: list[tuple[float, ...]] = []
-    find = study._found
+    find = study._search_mode
 
     def counted(outcome: Any, signs: Any, parameters: Any) -> Any:
         computed.append(tuple(parameters))

@@ -81,7 +81,7 @@ def test_stretches_are_where_the_couplers_reach_and_end_where_they_are_straight(
         broken += not closes.all()
         assert (inside == closes).all()
         assert closes.all() == any(stretch.closed for stretch in one.stretches)
-    assert broken and found.whole == VALUES.size - broken
+    assert broken and found.full_range_count == VALUES.size - broken
     assert np.max(ends) < 1e-9 * (BROKEN[1] + BROKEN[2])
 
 
@@ -144,13 +144,13 @@ def test_an_open_chain_has_whole_circles_and_ranges_have_their_ends() -> None:
     place = ModeSheet(compiled, "P", ("shoulder", "elbow"), ())
     circles = trajectories(place, WHOLE, 1, np.array([0.0, np.pi / 2, np.pi]), 1e-5)
     assert [one.length for one in circles.each] == pytest.approx([6 * np.pi, TURN * 5**0.5, TURN], rel=1e-5)
-    assert circles.whole == 3
+    assert circles.full_range_count == 3
     half = trajectories(place, DriveBox((0, 0), (TURN, np.pi), (True, False)), 0, np.array([0.0, 1.0]), 1e-5)
     for held, stretch in each(half):
         assert (stretch.q[0], stretch.q[-1], stretch.closed) == (0.0, np.pi, False)
         assert stretch.length == pytest.approx(np.pi, rel=1e-5)
         assert stretch.at[:, 0] == pytest.approx([3 * np.cos(held), 3 * np.sin(held)])
-    assert half.whole == 2
+    assert half.full_range_count == 2
 
 
 def test_where_nothing_closes_there_is_no_stretch() -> None:

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from linkwright.cam.disc import TURN, Disc
 from linkwright.cam.nc.job import MillingJob, Pass, side, way
-from linkwright.cam.nc.lead_in import around, beyond, ends, leads, share
+from linkwright.cam.nc.lead_in import around, beyond, leads, path_ends, share
 from linkwright.cam.nc.path import CutterPath, Element
 
 Array = NDArray[np.float64]
@@ -47,7 +47,7 @@ class Groove:
     job: MillingJob
 
     @property
-    def room(self) -> float:
+    def max_side_offset(self) -> float:
         """How far the cutter's centre may be beside the pitch curve; less than a digit is nothing."""
         room = 1e3 * self.disc.follower.radius - self.job.cutter
         return room if room >= self.unit else 0.0
@@ -60,12 +60,12 @@ class Groove:
     @property
     def cleared(self) -> float:
         """How far the rough passes get."""
-        return max(0.0, self.room - self.job.allowance)
+        return max(0.0, self.max_side_offset - self.job.allowance)
 
     def passes(self) -> Iterator[Pass]:
         """All passes."""
         yield self.slot()
-        if not self.room:
+        if not self.max_side_offset:
             return
         beside = self.beside()
         yield from (replace(one, z=z) for z in self.job.levels for one in beside)
@@ -81,7 +81,7 @@ class Groove:
         turn, again = route.elements(), route.elements(share(route, self.job.overlap))
         gone = [length / sum(e.length for e in turn) for length in accumulate(e.length for e in turn)]
         heights = [top + (z - top) * part for top, z in zip([0.0, *levels], levels, strict=False) for part in gone]
-        flat = turn * (1 if self.room or not self.job.spring else 2) + again
+        flat = turn * (1 if self.max_side_offset or not self.job.spring else 2) + again
         ramp = math.degrees(math.atan(-levels[0] / sum(e.length for e in turn)))
         note = f"slot, ramp {ramp:.2f} deg to"
         return Pass(-self.job.depth, (*turn * len(levels), *flat), note, (*heights, *[-self.job.depth] * len(flat)))
@@ -102,15 +102,15 @@ class Groove:
     def finish(self, flank: int) -> Pass:
         """A flank at the full depth; with compensation what is programmed is the flank itself."""
         beside, aside = side(self.job), ASIDE * self.job.cutter
-        route = self.route(self.room + (self.job.cutter if beside else 0.0), flank)
+        route = self.route(self.max_side_offset + (self.job.cutter if beside else 0.0), flank)
         elements = around(route, self.job.overlap, self.finishing_lead(flank) or 0.0, -flank)
         return Pass(-self.job.depth, elements, f"finish {FLANKS[flank]} flank", side=beside, aside=aside)
 
     def finishing_lead(self, flank: int) -> float | None:
         """The radius of its leads; with compensation they exceed the cutter, ``None`` where such don't fit."""
         aside = self.job.cutter if self.job.compensation else 0.0
-        route = self.route(self.room + aside, flank)
-        return self.lead(route, flank, self.room, -self.cleared, self.room - self.cleared, aside)
+        route = self.route(self.max_side_offset + aside, flank)
+        return self.lead(route, flank, self.max_side_offset, -self.cleared, self.max_side_offset - self.cleared, aside)
 
     @property
     def _roughed(self) -> bool:
@@ -120,7 +120,7 @@ class Groove:
     def route(self, far: float, flank: int, slot: bool = False) -> CutterPath:
         """The path so far beside the pitch curve towards a flank, which lies on the right of a climbing cutter. It is
         coarse where it leaves enough to later passes."""
-        job, offset, spare = self.job, flank * far / 1e3, min(self.room - far, self.job.cutter)
+        job, offset, spare = self.job, flank * far / 1e3, min(self.max_side_offset - far, self.job.cutter)
         cuts = offset if slot else flank * self.disc.follower.radius
         coarse = spare > SPARE
         allowed = COARSE * spare / 1e3 if coarse else job.tolerance
@@ -133,11 +133,11 @@ class Groove:
         """The radius of both leads: the job's, or what brings the cutter in from where nothing is left ``uncut`` (mm),
         or the largest for which it, ``aside`` of them, stays between ``least`` and ``far`` beside the pitch curve,
         towards the flank; ``None`` where there is none."""
-        both, near = ends(route, share(route, self.job.overlap)), max(NEAR, self.unit)
+        both, near = path_ends(route, share(route, self.job.overlap)), max(NEAR, self.unit)
 
         def fits(radius: float) -> bool:
             made = leads(both, radius, -flank, self.job.decimals)
-            places = np.concatenate([_gone(lead, aside, k > 0) for k, lead in enumerate(made)])
+            places = np.concatenate([_lead_centres(lead, aside, k > 0) for k, lead in enumerate(made)])
             beside = flank * self.offset(places)
             return bool(beside.max() <= far + near and beside.min() >= least - near)
 
@@ -167,7 +167,7 @@ class Groove:
         return 1e3 * pitch.T, (look.offset(1.0) - pitch).T, KDTree(1e3 * pitch.T)
 
 
-def _gone(lead: Element, cutter: float, last: bool) -> Array:
+def _lead_centres(lead: Element, cutter: float, last: bool) -> Array:
     """Where a cutter's centre goes on a lead (n, 2); one of the radius ``cutter`` with compensation, which is switched
     on before the first lead or off after the last."""
     assert lead.centre is not None

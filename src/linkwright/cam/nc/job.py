@@ -96,18 +96,18 @@ def path(disc: Disc, job: MillingJob, allowance: float = 0.0) -> CutterPath:
 def passes(disc: Disc, job: MillingJob) -> Iterator[Pass]:
     """All passes around a profile, from the top down."""
 
-    def one(allowance: float, note: str) -> Pass:
+    def profile_pass(allowance: float, note: str) -> Pass:
         elements = around(path(disc, job, allowance), job.overlap, job.lead)
         return Pass(-job.depth, elements, note, side=side(job), aside=job.cutter + job.lead)
 
     if job.allowance > 0:
-        rough = one(job.allowance, "rough")
+        rough = profile_pass(job.allowance, "rough")
         for z in job.levels:
             yield replace(rough, z=z)
-        finish = one(0.0, "finish")
+        finish = profile_pass(0.0, "finish")
         yield finish
     else:
-        finish = one(0.0, "finish")
+        finish = profile_pass(0.0, "finish")
         for z in job.levels:
             finish = replace(finish, z=z)
             yield finish

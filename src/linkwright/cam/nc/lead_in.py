@@ -24,11 +24,11 @@ def around(route: CutterPath, overlap: float, radius: float, away: int = 1) -> t
     again = route.elements(more)
     if not radius:
         return (*turn, *again)
-    first, last = leads(ends(route, more), radius, away, route.decimals)
+    first, last = leads(path_ends(route, more), radius, away, route.decimals)
     return (first, *turn, *again, last)
 
 
-def ends(route: CutterPath, more: float) -> Ends:
+def path_ends(route: CutterPath, more: float) -> Ends:
     """Where a path begins and where it ends, at the share ``more`` of the second turn."""
     at, tangents, normals, _ = route.at(np.array([0.0, more]))
     return np.round(at, route.decimals).T, tangents.T, normals.T

@@ -62,7 +62,7 @@ def _groove(disc: Disc, job: MillingJob) -> Iterator[NCFault]:
         yield NCFault("nc.undercut-outer", 0, data | {"roller": f"{roller:.4g}"})
         return
     work = Groove(disc, job)
-    if (left := work.room - work.cleared) > cutter:
+    if (left := work.max_side_offset - work.cleared) > cutter:
         yield NCFault("nc.allowance", 0, {"allowance": f"{left:.4g}", "cutter": f"{cutter:.4g}"})
     if job.compensation and job.lead > cutter and any(work.finishing_lead(flank) is None for flank in (-1, 1)):
         yield NCFault("nc.groove-lead", 0, {"cutter": f"{cutter:.4g}", "roller": f"{roller:.4g}"})

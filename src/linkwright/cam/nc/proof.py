@@ -63,8 +63,8 @@ def prove(disc: Disc, text: str, cutter: float, angles: int = ANGLES, groove: bo
             different = [lowest] if every is lowest else [lowest, every]
             flanks = [(-1, one.inner / 1e3) for one in different]
             flanks += [(1, one.outer / 1e3) for one in different if groove]
-            faults += [_at("nc.stray", stray) for one in different for stray in _strays(disc, one, groove)]
-            faults += [_at("nc.island", island) for island in lowest.islands if groove]
+            faults += [_fault_at("nc.stray", stray) for one in different for stray in _strays(disc, one, groove)]
+            faults += [_fault_at("nc.island", island) for island in lowest.islands if groove]
         except NothingLeft:
             faults = [NCFault("nc.nothing-left", 0)]
         except Tight as tight:
@@ -96,7 +96,7 @@ def prove(disc: Disc, text: str, cutter: float, angles: int = ANGLES, groove: bo
     )
 
 
-def _at(key: str, place: Array) -> NCFault:
+def _fault_at(key: str, place: Array) -> NCFault:
     return NCFault(key, 0, {"x": f"{place[0]:.4g}", "y": f"{place[1]:.4g}"})
 
 

@@ -164,11 +164,11 @@ def _block(made: Read, state: _State, number: int, words: list[tuple[str, str]])
     if "F" in values:
         state = replace(state, feed=values["F"] * (state.unit or 1.0))
     if values.keys() & set("XYZIJ"):
-        state = _moved(made, state, number, values)
+        state = _read_motion(made, state, number, values)
     return state
 
 
-def _moved(made: Read, state: _State, number: int, values: dict[str, float]) -> _State:
+def _read_motion(made: Read, state: _State, number: int, values: dict[str, float]) -> _State:
     faults = list(_unset(state, values))
     scale = state.unit or 1.0
     place = list(state.place)

@@ -103,7 +103,7 @@ class Swept:
         import shapely
 
         ring = shapely.get_coordinates(shapely.segmentize(ring, APART))[:-1]
-        return self._track.apart(ring, self.cutter).T
+        return self._track.move_to_distance(ring, self.cutter).T
 
 
 def swept(moves: Sequence[Move], cutter: float) -> list[Swept]:

@@ -135,7 +135,7 @@ class PieceTrack:
         self._centre = np.array([piece.centre or (0.0, 0.0) for piece in some])
         self._arc = np.array([piece[3:] for piece in some])
 
-    def apart(self, ring: Array, far: float) -> Array:
+    def move_to_distance(self, ring: Array, far: float) -> Array:
         """Points (n, 2) of a closed line about ``far`` (mm) from the way, moved to where they are so far from it."""
         at, group = ring, np.arange(len(ring)) // TOGETHER
         owner = self._nearest(ring[::TOGETHER])

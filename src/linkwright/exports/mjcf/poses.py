@@ -31,7 +31,7 @@ def motors(compiled: Compiled, tree: JointTree) -> list[TreeDrive]:
     topology, found = compiled.structure.topology, []
     for name, drive in compiled.mechanism.movers.items():
         c = topology.acting(name)[0]
-        hold = tree.of(c.joint, c.a, c.b)
+        hold = tree.joint_between(c.joint, c.a, c.b)
         assert hold is not None
         # A slide's coordinate is its travel, from the first link's point to the second's.
         ahead = hold.child == drive.link if hold.turns else c.b == drive.link

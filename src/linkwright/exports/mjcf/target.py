@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from pydantic import Field
 
 from linkwright.elements.entries import NOUNS
-from linkwright.exports.followed import duration, followed
+from linkwright.exports.followed import duration, follow_motion
 from linkwright.exports.joints import unwritten
 from linkwright.exports.mjcf.masses import written_masses
 from linkwright.exports.mjcf.poses import TreeDrive, coordinates, motors
@@ -73,7 +73,7 @@ class Mjcf:
     def export(self, compiled: Compiled, options: MjcfOptions, site: RunContext) -> Exported:
         """The model, proven over the motion."""
         stop, findings = duration(compiled, site.document, self.name, options.duration)
-        run, kept = followed(compiled, site.document, stop or INSTANT, options.samples)
+        run, kept = follow_motion(compiled, site.document, stop or INSTANT, options.samples)
         if findings or kept:
             return Exported(failures=[*findings, *kept])
         tree = spanning(compiled.structure.topology)

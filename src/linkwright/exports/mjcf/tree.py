@@ -29,7 +29,7 @@ class JointTree:
     holds: tuple[Hold, ...]
     cuts: tuple[Hold, ...]
 
-    def of(self, joint: str, *links: str) -> Hold | None:
+    def joint_between(self, joint: str, *links: str) -> Hold | None:
         """The joint of the tree between two links."""
         return next((h for h in self.holds if h.joint == joint and {h.parent, h.child} == {*links}), None)
 

@@ -83,7 +83,7 @@ class Writer:
         ET.SubElement(world, "light", pos=_text(0, 0, 3 * self.size), dir="0 0 -1", directional="true")
         self._contents(world, FRAME)
         self._below(world, FRAME)
-        self._closed(root, timestep)
+        self._write_loop_closures(root, timestep)
         self._actuators(root)
         keyframe = ET.SubElement(root, "keyframe")
         key = ET.SubElement(keyframe, "key", name="start", qpos=_text(*self.start.q), qvel=_text(*self.start.v))
@@ -96,7 +96,7 @@ class Writer:
         for i, hold in enumerate(self.tree.holds):
             if hold.parent != link:
                 continue
-            x, y, turn = _seen(self.start.poses[hold.child], self.start.poses.get(link, STILL))
+            x, y, turn = _relative_pose(self.start.poses[hold.child], self.start.poses.get(link, STILL))
             body = ET.SubElement(
                 parent, "body", name=body_name(hold.child), pos=_text(x, y, 0), euler=_text(0, 0, turn)
             )
@@ -116,7 +116,7 @@ class Writer:
         """The joint in the child's frame; ``ref`` is its coordinate in the pose in which the bodies are written."""
         given = {"name": hold.name, "ref": _text(ref)}
         if any(motor.hold == hold for motor in self.driven):
-            given["armature"] = _text(ROTOR * self._whole(hold))
+            given["armature"] = _text(ROTOR * self._total_inertia(hold))
         if hold.turns:
             pin = self.compiled.structure.topology.pins[hold.joint]
             at = self.geometry.point(hold.child, pin.point(hold.child))
@@ -151,7 +151,7 @@ class Writer:
         for name, at in points.items():
             ET.SubElement(body, "site", name=site_name(link, name), pos=_text(at.x, at.y, 0))
 
-    def _closed(self, root: ET.Element, timestep: float) -> None:
+    def _write_loop_closures(self, root: ET.Element, timestep: float) -> None:
         if not self.tree.cuts:
             return
         equality = ET.SubElement(root, "equality")
@@ -167,9 +167,11 @@ class Writer:
         actuator = ET.SubElement(root, "actuator")
         for motor in self.driven:
             given = {"name": motor.drive, "joint": motor.hold.name, "gear": _text(motor.sign)}
-            ET.SubElement(actuator, "position", given, kp=_text(STIFF**2 * self._whole(motor.hold)), dampratio="1")
+            ET.SubElement(
+                actuator, "position", given, kp=_text(STIFF**2 * self._total_inertia(motor.hold)), dampratio="1"
+            )
 
-    def _whole(self, hold: Hold) -> float:
+    def _total_inertia(self, hold: Hold) -> float:
         """The mass of all links, or their moment of inertia at the mechanism's full size, as a joint could feel it."""
         mass = sum(mass.mass for mass in self.masses.values())
         return mass * self.size**2 if hold.turns else mass
@@ -185,7 +187,7 @@ def site_name(link: str, point: str) -> str:
     return f"{link}:{point}"
 
 
-def _seen(pose: Array, other: Array) -> tuple[float, float, float]:
+def _relative_pose(pose: Array, other: Array) -> tuple[float, float, float]:
     """A pose (x, y, cosine, sine) in the axes of another: x, y, angle."""
     (x, y, c, s), (x0, y0, c0, s0) = pose, other
     dx, dy = x - x0, y - y0

@@ -42,10 +42,10 @@ def linkage(
         found, sign = links.between(name, on, moved)
         if found is None:
             raise Refused(shared_pin(follower, name))
-        links.settle(found, multiply(number(sign), tree))
+        links.set_function(found, multiply(number(sign), tree))
     for step in structure.steps:
         if isinstance(step, Driven):
-            links.held(step.joint, step.base, step.link)
+            links.place_by_drive(step.joint, step.base, step.link)
             links.finish()
         elif isinstance(step, Group):
             solve(links, dialect, step)

@@ -39,12 +39,12 @@ class DyadSide:
         if self.outer.kind.angular:
             self.links.angles[self.end] = Angle(0.0, ((OWN, 1),))
         self.links.sit(self.outer, self.base, self.end)
-        self.hold()
+        self.place_chain()
 
-    def hold(self) -> None:
+    def place_chain(self) -> None:
         """Put its further links on the end."""
         for edge in self.chain:
-            self.links.held(edge.joint, edge.base, edge.link)
+            self.links.place_by_drive(edge.joint, edge.base, edge.link)
 
     @property
     def turned(self) -> Angle:
@@ -72,14 +72,14 @@ class DyadSide:
     def turn(self, angle: Angle) -> None:
         """Give the end its angle."""
         self.links.turn(self.outer, self.base, self.end, angle)
-        self.hold()
+        self.place_chain()
 
     def out(self, tree: Tree) -> None:
         """Give the end how far it is out on its line (mm)."""
         self.links.out(self.outer, self.base, self.end, tree)
 
     @property
-    def told(self) -> bool:
+    def has_outer_joint(self) -> bool:
         """Whether the tool has its outer joint."""
         found, _ = self.links.between(self.outer.joint, self.base, self.end)
         return found is not None and not found.left_out
@@ -145,21 +145,24 @@ class RRR(Rule):
         meeting = apart.plus(second.turned).minus(first.turned)
         inner, sign = links.between(group.inner.joint, first.meeting, second.meeting)
         if inner is not None:
-            links.settle(inner, Angle().plus(meeting, round(sign)).tree(links.symbols))
+            links.set_function(inner, Angle().plus(meeting, round(sign)).tree(links.symbols))
             if not inner.left_out:
                 meeting = Angle().plus(links.offset(inner), round(sign))
                 apart = meeting.minus(second.turned).plus(first.turned)
                 bend = apart.plus(own[1]).minus(own[0])
         triangle = Triangle(base, (arms[0], arms[1]), (l1, l2), branch, bend)
         order = list(links.seats)
-        side = max((0, 1), key=lambda k: (sides[k].told, order.index(sides[k].base) if sides[k].base in order else -1))
+        side = max(
+            (0, 1),
+            key=lambda k: (sides[k].has_outer_joint, order.index(sides[k].base) if sides[k].base in order else -1),
+        )
         heading = dialect.aim(links, base, links.angles[sides[side].base]).turned(math.pi * side)
         angle = heading.plus(dialect.from_base(links, triangle, side)).minus(own[side])
         sides[side].turn(angle)
         there = links.angles[sides[side].end].plus(apart, (1, -1)[side])
         other = sides[1 - side]
         links.angles[other.end] = there
-        other.hold()
+        other.place_chain()
 
 
 @register
@@ -196,7 +199,7 @@ class RPR(Rule):
         seen = [arm.turned(Angle().minus(heading)) for arm, heading in zip(arms, headings, strict=True)]
         between = seen[0].minus(seen[1])
         across, along = between.across(Angle(), symbols), between.along(Angle(), symbols)
-        side = 0 if first.told else 1
+        side = 0 if first.has_outer_joint else 1
         aim = dialect.aim(links, base, links.angles[sides[side].base])
         size = float(abs(links.numbers(base.square(symbols))).max()) ** 0.5
         if abs(links.numbers(across)).max() <= STRAIGHT * size:
@@ -209,7 +212,7 @@ class RPR(Rule):
         heading = links.angles[sides[side].end].plus(headings[side])
         other = sides[1 - side]
         links.angles[other.end] = heading.minus(headings[1 - side])
-        other.hold()
+        other.place_chain()
         reach = dialect.root(links, base, across, heading, branch)
         links.out(group.inner, first.meeting, second.meeting, add(reach, negated(along)))
 

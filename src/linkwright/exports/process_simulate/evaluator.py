@@ -61,7 +61,7 @@ def read(text: str, dialect: str, joints: Mapping[str, str]) -> Value:
     """
     reader = _FormulaParser(text, GRAMMARS[dialect], joints)
     value = reader.sum()
-    if reader.here[0]:
+    if reader.next_token[0]:
         raise reader.fault("the end")
     return value
 
@@ -84,17 +84,17 @@ class _FormulaParser:
         self.next = 0
 
     @property
-    def here(self) -> tuple[str, int]:
+    def next_token(self) -> tuple[str, int]:
         """The next token and its place; empty at the end."""
         return self.tokens[self.next] if self.next < len(self.tokens) else ("", len(self.text))
 
     def fault(self, wanted: str) -> NotInDialect:
-        token, at = self.here
+        token, at = self.next_token
         return NotInDialect(self.text, at, f"{wanted} is wanted, not {token or 'the end'}")
 
     def take(self, *wanted: str) -> str:
         """The next token, which must be one of those wanted."""
-        token, _ = self.here
+        token, _ = self.next_token
         if token not in wanted:
             raise self.fault(" or ".join(wanted))
         self.next += 1
@@ -102,22 +102,22 @@ class _FormulaParser:
 
     def sum(self) -> Value:
         minus = self.grammar.minus
-        opposite = minus and self.here[0] == "-" and bool(self.take("-"))
+        opposite = minus and self.next_token[0] == "-" and bool(self.take("-"))
         total = self.term()
         if opposite:
-            total = _joined(np.negative, total)
-        while self.here[0] in (("+", "-") if minus else ("+",)):
-            total = _joined(np.add if self.take("+", "-") == "+" else np.subtract, total, self.term())
+            total = _composed(np.negative, total)
+        while self.next_token[0] in (("+", "-") if minus else ("+",)):
+            total = _composed(np.add if self.take("+", "-") == "+" else np.subtract, total, self.term())
         return total
 
     def term(self) -> Value:
         product = self.factor()
-        while self.here[0] in ("*", "/"):
-            product = _joined(np.multiply if self.take("*", "/") == "*" else np.divide, product, self.factor())
+        while self.next_token[0] in ("*", "/"):
+            product = _composed(np.multiply if self.take("*", "/") == "*" else np.divide, product, self.factor())
         return product
 
     def factor(self) -> Value:
-        token, _ = self.here
+        token, _ = self.next_token
         if re.fullmatch(r"\d+(\.\d+)?", token):
             self.next += 1
             constant = np.asarray(float(token))
@@ -128,20 +128,20 @@ class _FormulaParser:
             return self.call(self.take(token))
         if not self.grammar.minus and [t for t, _ in self.tokens[self.next : self.next + 4]] == ["(", "-", "1", ")"]:
             self.next += 4
-            return _joined(np.negative, self.bracket())
+            return _composed(np.negative, self.bracket())
         return self.bracket()
 
     def bracket(self) -> Value:
         self.take("(")
         inner = self.sum()
-        if self.here[0] in COMPARED:
-            inner = _joined(COMPARED[self.take(*COMPARED)], inner, self.sum())
+        if self.next_token[0] in COMPARED:
+            inner = _composed(COMPARED[self.take(*COMPARED)], inner, self.sum())
         self.take(")")
         return inner
 
     def joint(self, kind: str) -> Value:
         self.take("(")
-        name, _ = self.here
+        name, _ = self.next_token
         if self.joints.get(name) != kind:
             raise self.fault(f"a joint of {kind} that is known here")
         self.next += 1
@@ -156,8 +156,8 @@ class _FormulaParser:
             self.take(",")
             args.append(self.sum())
         self.take(")")
-        return _joined(function, *args)
+        return _composed(function, *args)
 
 
-def _joined(function: Callable[..., Array], *args: Value) -> Value:
+def _composed(function: Callable[..., Array], *args: Value) -> Value:
     return lambda values: function(*(arg(values) for arg in args))

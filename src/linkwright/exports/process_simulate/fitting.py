@@ -56,7 +56,7 @@ def fit(links: Linkage, higher_group: HigherGroup, drive: ToolJoint, moved: Move
         values, at_zero = moved(found)
         coefficients, _ = polynomial(x, found.sign * values, tolerance)
         degree = max(degree, len(coefficients) - 1)
-        links.settle(found, horner(coefficients, variable))
+        links.set_function(found, horner(coefficients, variable))
         links.at_zero[found.joint] = at_zero
     _place(links, higher_group)
     return degree

@@ -20,7 +20,7 @@ from linkwright.exports.process_simulate.masters import mastered
 from linkwright.exports.process_simulate.mirror import Mirror
 from linkwright.exports.process_simulate.motion import ToolMotion
 from linkwright.exports.process_simulate.printer import text
-from linkwright.exports.process_simulate.reach import reach
+from linkwright.exports.process_simulate.reach import drive_reach
 from linkwright.exports.process_simulate.splitting import least, split
 from linkwright.exports.process_simulate.trees import Array, Tree, evaluate, multiply, number
 from linkwright.exports.process_simulate.trees import joint as joint_value
@@ -122,7 +122,7 @@ def make(compiled: Compiled, wish: Wish) -> JointFunctions:
     """The joint functions. Raises :class:`Refused` where there are none."""
     joints = named(joints_of(compiled.structure), wish.names, wish.flipped, wish.left_out)
     motion, warnings = _motion(compiled, wish, joints)
-    make_side = partial(_made, compiled, wish)
+    make_side = partial(_make_functions, compiled, wish)
     made = make_side(joints, motion) if wish.mirror is None else _both(wish.mirror, make_side, joints, motion)
     return replace(made, warnings=tuple(warnings))
 
@@ -161,16 +161,16 @@ def _limited(count: int) -> None:
         raise Refused(Finding("functions.too-many", PATH, {"count": count, "limit": MOST}))
 
 
-def _made(compiled: Compiled, wish: Wish, joints: list[ToolJoint], motion: ToolMotion) -> JointFunctions:
+def _make_functions(compiled: Compiled, wish: Wish, joints: list[ToolJoint], motion: ToolMotion) -> JointFunctions:
     if wish.approximate is None:
         links, fits = _links(compiled, wish, joints, motion, OFFERED)
         if not fits:
-            return _TextSearch(compiled, wish, links, motion, fitted=False).written()
-        found = _TextSearch(compiled, replace(wish, longest=None), links, motion, fitted=True).written()
+            return _TextSearch(compiled, wish, links, motion, fitted=False).shortest_functions()
+        found = _TextSearch(compiled, replace(wish, longest=None), links, motion, fitted=True).shortest_functions()
         raise Refused(_no_closed_form(fits, found.max_error, wish.drive))
     for tighter in range(TIGHTER):  # joints that follow as sums of others add up their errors
         links, fits = _links(compiled, wish, joints, motion, wish.approximate / 8**tighter)
-        found = _TextSearch(compiled, wish, links, motion, bool(fits)).written()
+        found = _TextSearch(compiled, wish, links, motion, bool(fits)).shortest_functions()
         if not fits or found.max_error <= wish.approximate:
             return found
     raise Refused(_no_closed_form(fits, found.max_error, wish.drive))
@@ -188,7 +188,7 @@ def _motion(compiled: Compiled, wish: Wish, joints: list[ToolJoint]) -> tuple[To
         zero = float(values_at(compiled.laws, 0.0)[wish.drive]) if wish.zero is None else wish.zero
         ends = sorted(zero + sign * stop for stop in wish.stops)
         window, stops = (ends[0], ends[1]), (master.name, sign)
-    found = reach(compiled, wish.drive, wish.zero, window, stops)
+    found = drive_reach(compiled, wish.drive, wish.zero, window, stops)
     if isinstance(found, Finding):
         raise Refused(found)
     if master == joint:
@@ -205,11 +205,11 @@ def _links(
     mm), if that can be, to their joints."""
     poses, fits = motion.poses(DESIGNED), list[tuple[HigherGroup, int]]()
 
-    def moved(joint: ToolJoint) -> tuple[Array, float]:
+    def joint_motion(joint: ToolJoint) -> tuple[Array, float]:
         return motion.values([joint], poses)[0], motion.at_zero(joint)
 
     def fitted(links: Linkage, higher_group: HigherGroup) -> None:
-        fits.append((higher_group, fit(links, higher_group, motion.joint, moved, close)))
+        fits.append((higher_group, fit(links, higher_group, motion.joint, joint_motion, close)))
 
     geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
     structure, branches = motion.solved
@@ -245,7 +245,7 @@ class _TextSearch:
         far = max(CLOSE, DIGITS * MM * compiled.assembly.size())
         self.close = np.array([CLOSE if j.kind == "T" else far for j in self.told])
 
-    def written(self) -> JointFunctions:
+    def shortest_functions(self) -> JointFunctions:
         """With the fewest decimals that keep the error."""
         best: tuple[float, int, dict[str, str], Array] | None = None
         for decimals in range(self.wish.decimals, FINEST + 1):
@@ -280,18 +280,18 @@ class _TextSearch:
         functions = self.links.functions
         names = dict(self.names)
 
-        def shown(tree: Tree) -> str:
+        def tree_text(tree: Tree) -> str:
             named = names | {t.name: t.name for t in tree.every() if t.name and t.name not in names}
             return text(tree, self.dialect, named, decimals)
 
         if self.wish.longest is None:
-            return {joint: shown(tree) for joint, tree in functions.items()}
-        kit = (lambda tree: len(shown(tree)), self.start, self.helper)
+            return {joint: tree_text(tree) for joint, tree in functions.items()}
+        kit = (lambda tree: len(tree_text(tree)), self.start, self.helper)
         made = split(functions, self.wish.longest, *kit)
         if made is None:
             data = {"longest": self.wish.longest, "least": least(functions, self.wish.longest, *kit)}
             raise Refused(Finding("functions.length", (*PATH, "longest"), data))
-        return {joint: shown(tree) for joint, tree in made.items()}
+        return {joint: tree_text(tree) for joint, tree in made.items()}
 
     def start(self, tree: Tree) -> float:
         """The value of a tree at the zero pose, where all joints are 0."""
@@ -318,7 +318,7 @@ class _TextSearch:
         row, functions = partial(dict.get, dict(zip((j.joint for j in self.told), self.expected, strict=True))), []
         for (joint, shown), got in zip(texts.items(), values, strict=True):
             own, expected = self.by_joint.get(joint), row(joint)
-            limits = _ends(got[inside] if expected is None else expected[inside])
+            limits = _value_range(got[inside] if expected is None else expected[inside])
             error = 0.0 if expected is None else float(np.abs(got - expected).max())
             links = ("", "") if own is None else (own.parent, own.child)
             kind, sign = ("D", 1.0) if own is None else (own.kind, own.sign)
@@ -342,7 +342,7 @@ class _TextSearch:
         )
 
 
-def _ends(values: Array) -> tuple[float, float]:
+def _value_range(values: Array) -> tuple[float, float]:
     """The least and the largest value; between neighbours of the extreme one, that of the parabola through them."""
 
     def largest(y: Array) -> float:

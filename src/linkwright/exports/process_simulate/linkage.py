@@ -94,7 +94,7 @@ class Linkage:
         self.symbols[found.joint] = joint(found.kind, found.joint)
         self.values[found.joint] = self.poses
 
-    def settle(self, found: ToolJoint, tree: Tree) -> None:
+    def set_function(self, found: ToolJoint, tree: Tree) -> None:
         """Give a joint its function, from a tree of what the child is turned or slid against the parent."""
         values = self.numbers(tree)
         start = float(values[self.zero])
@@ -174,7 +174,7 @@ class Linkage:
         self.seats[link] = LinkSeat(base, spot, foot, connection.joint, heading)
         self.angles[link] = self.angles[base].turned(heading - own)
 
-    def held(self, connection: Connection, base: str, link: str) -> None:
+    def place_by_drive(self, connection: Connection, base: str, link: str) -> None:
         """Put a link on a base by the driving joint."""
         self.sit(connection, base, link)
         if connection.kind.angular:
@@ -190,7 +190,7 @@ class Linkage:
         self.angles[link] = angle
         if found is None or found.joint in self.at_zero:
             return
-        self.settle(found, Angle().plus(angle.minus(self.angles[base]), round(sign)).tree(self.symbols))
+        self.set_function(found, Angle().plus(angle.minus(self.angles[base]), round(sign)).tree(self.symbols))
         if not found.left_out:
             self.angles[link] = self.angles[base].plus(self.offset(found), round(sign))
 
@@ -198,7 +198,7 @@ class Linkage:
         """The function of a slide, from how far a link is out on its base (mm)."""
         found, sign = self.between(connection.joint, base, link)
         assert found is not None
-        self.settle(found, multiply(number(sign), tree))
+        self.set_function(found, multiply(number(sign), tree))
 
     def finish(self) -> None:
         """The functions of the pins that no formula has given, as sums; then each link's angle by the fewest joints."""
@@ -206,7 +206,7 @@ class Linkage:
             known = found.parent in self.angles and found.child in self.angles
             if found.kind == "T" and known and found.joint not in self.at_zero:
                 between = self.angles[found.child].minus(self.angles[found.parent])
-                self.settle(found, between.tree(self.symbols))
+                self.set_function(found, between.tree(self.symbols))
                 self._shorten(found)
         for found in self.joints:
             if found.kind == "T" and found.joint in self.at_zero:

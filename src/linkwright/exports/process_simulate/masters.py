@@ -109,12 +109,14 @@ def mastered(
     if turns.size and not home[0] < reach.zero < home[1]:
         raise Refused(Finding("functions.master-zero", PATH, here))
     if stops is not None:
-        return _between(replace(motion, reach=_cut(reach, home)), stops), []
+        return _between(replace(motion, reach=_limited_reach(reach, home)), stops), []
     if not turns.size:
         return replace(motion, reach=reach), []
     if asked:
         raise Refused(Finding("functions.master-turns", PATH, here))
-    return replace(motion, reach=_cut(reach, home)), [Finding("functions.master-cut", PATH, here, severity="warning")]
+    return replace(motion, reach=_limited_reach(reach, home)), [
+        Finding("functions.master-cut", PATH, here, severity="warning")
+    ]
 
 
 def _dead_centre(motion: Mastered, turns: Array, home: tuple[float, float]) -> dict[str, str]:
@@ -124,7 +126,7 @@ def _dead_centre(motion: Mastered, turns: Array, home: tuple[float, float]) -> d
     return {"drive": motion.drive, "unit": unit, "at": at[0], **offered(home, size)}
 
 
-def _cut(reach: DriveReach, ends: tuple[float, float]) -> DriveReach:
+def _limited_reach(reach: DriveReach, ends: tuple[float, float]) -> DriveReach:
     return DriveReach(*ends, reach.zero, reach.start)
 
 
@@ -135,7 +137,7 @@ def _between(motion: Mastered, stops: tuple[float, float]) -> Mastered:
         data = {"joint": motion.joint.name, "unit": unit, **offered((low, high), size)}
         raise Refused(Finding("functions.master-stops", (*PATH[:-1], "stops"), data))
     low, high = sorted(motion.to_drive(np.array(stops)).tolist())
-    return replace(motion, reach=_cut(motion.reach, (low, high)))
+    return replace(motion, reach=_limited_reach(motion.reach, (low, high)))
 
 
 def _home(motion: Mastered, turns: Array) -> tuple[float, float]:
@@ -183,7 +185,7 @@ def _driven_anew(motion: ToolMotion) -> tuple[Structure, dict[Group, float]]:
         def off(branch: float) -> float:
             solved = dyad.solve(branch, 0)
             bodies = zip(group.meeting, (solved.first, solved.second), strict=True)
-            return sum(_apart(body, there.bodies[link], size) for link, body in bodies)
+            return sum(_pose_distance(body, there.bodies[link], size) for link, body in bodies)
 
         found[group] = min((1.0, -1.0), key=off) if group.modes > 1 else 1.0
         return found[group]
@@ -194,7 +196,7 @@ def _driven_anew(motion: ToolMotion) -> tuple[Structure, dict[Group, float]]:
     return structure, found
 
 
-def _apart(body: Body, other: Body, size: float) -> float:
+def _pose_distance(body: Body, other: Body, size: float) -> float:
     """How far two poses of a link are apart (m)."""
     origin = Pair(0.0, 0.0)
     moved, turned = body.point(origin).minus(other.point(origin)).now, body.axis.minus(other.axis).now

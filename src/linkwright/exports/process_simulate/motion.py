@@ -110,10 +110,10 @@ class ToolMotion:
         """Those of the links' angles, and the travels of slides (mm)."""
         known = {f"{FRAME}.angle": np.zeros(rows.shape[1:]), **dict(zip(names, rows, strict=True))}
 
-        def one(j: ToolJoint) -> Array:
+        def joint_values(j: ToolJoint) -> Array:
             if j.kind == "T":
                 return np.asarray(known[f"{j.child}.angle"] - known[f"{j.parent}.angle"])
             forward = self.compiled.mechanism.joints[j.of].links[0] == j.parent
             return np.asarray(known[f"{j.of}.s"] * (MM if forward else -MM))
 
-        return np.array([one(j) for j in joints]).reshape(len(joints), *rows.shape[1:])
+        return np.array([joint_values(j) for j in joints]).reshape(len(joints), *rows.shape[1:])

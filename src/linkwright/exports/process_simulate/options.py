@@ -136,7 +136,7 @@ def check(compiled: Compiled, options: ProcessSimulateOptions) -> Iterator[Findi
     if len(drives) != 1:
         yield Finding("functions.drives", ("drives",), {"count": len(drives), "names": ", ".join(drives)})
         return
-    moved = _moved(compiled, drives[0], joints) if options.master is None else options.named_master(joints)
+    moved = _driven_joint(compiled, drives[0], joints) if options.master is None else options.named_master(joints)
     if moved is None and options.master is not None:
         yield unknown("joint", (*PATH, "master"), options.master, [*known, *options.names.values()])
     if moved is not None and moved.joint in options.left_out:
@@ -149,7 +149,7 @@ def check(compiled: Compiled, options: ProcessSimulateOptions) -> Iterator[Findi
     yield from check_facts(compiled, options.sheet, (*PATH, "sheet"))
 
 
-def _moved(compiled: Compiled, drive: str, joints: list[ToolJoint]) -> ToolJoint | None:
+def _driven_joint(compiled: Compiled, drive: str, joints: list[ToolJoint]) -> ToolJoint | None:
     """The joint that a drive moves."""
     of, link, on = driving(compiled.structure, drive)
     return next((j for j in joints if j.of == of and {j.parent, j.child} == {link, on}), None)

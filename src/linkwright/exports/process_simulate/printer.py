@@ -15,7 +15,7 @@ COMPARISON, SUM, PRODUCT, ATOM = 0, 1, 2, 3
 
 def text(tree: Tree, dialect: Dialect, names: Mapping[str, str], decimals: int) -> str:
     """The text of a tree; ``names`` are those of the joints in the tool."""
-    return _Printer(dialect, names, decimals).at(dialect.lower(tree), SUM)
+    return _Printer(dialect, names, decimals).text_within(dialect.lower(tree), SUM)
 
 
 def decimal(value: float, decimals: int) -> str:
@@ -28,14 +28,14 @@ class _Printer:
     def __init__(self, dialect: Dialect, names: Mapping[str, str], decimals: int) -> None:
         self.dialect, self.names, self.decimals = dialect, names, decimals
 
-    def at(self, tree: Tree, level: int) -> str:
+    def text_within(self, tree: Tree, level: int) -> str:
         """The text of a tree, in brackets where it binds less than its place asks for."""
-        shown, own = self.of(tree)
+        shown, own = self.text_and_level(tree)
         return shown if own >= level else f"({shown})"
 
-    def of(self, tree: Tree) -> tuple[str, int]:
+    def text_and_level(self, tree: Tree) -> tuple[str, int]:
         if tree.negative:
-            rest = self.at(multiply(number(-1.0), tree), PRODUCT) if self.dialect.minus else self.bare(tree)
+            rest = self.text_within(multiply(number(-1.0), tree), PRODUCT) if self.dialect.minus else self.bare(tree)
             return (f"-{rest}", SUM) if self.dialect.minus else (f"(-1)({rest})", PRODUCT)
         if tree.op == "number":
             return decimal(tree.value, self.decimals), ATOM
@@ -44,22 +44,22 @@ class _Printer:
         if tree.op == "+":
             return self.sum(tree), SUM
         if tree.op == "*":
-            return "*".join(self.at(arg, PRODUCT) for arg in tree.args), PRODUCT
+            return "*".join(self.text_within(arg, PRODUCT) for arg in tree.args), PRODUCT
         if tree.op == "/":
-            return f"{self.at(tree.args[0], PRODUCT)}/{self.at(tree.args[1], ATOM)}", PRODUCT
+            return f"{self.text_within(tree.args[0], PRODUCT)}/{self.text_within(tree.args[1], ATOM)}", PRODUCT
         if tree.op in (">=", "<"):
-            return tree.op.join(self.at(arg, SUM) for arg in tree.args), COMPARISON
-        return f"{tree.op}({','.join(self.at(arg, SUM) for arg in tree.args)})", ATOM
+            return tree.op.join(self.text_within(arg, SUM) for arg in tree.args), COMPARISON
+        return f"{tree.op}({','.join(self.text_within(arg, SUM) for arg in tree.args)})", ATOM
 
     def bare(self, tree: Tree) -> str:
         """The opposite of a negative tree, where it stands in brackets anyway."""
-        return self.at(multiply(number(-1.0), tree), SUM)
+        return self.text_within(multiply(number(-1.0), tree), SUM)
 
     def sum(self, tree: Tree) -> str:
         shown = ""
         for term in tree.args:
             if term.negative and self.dialect.minus:
-                shown += f"-{self.at(multiply(number(-1.0), term), PRODUCT)}"
+                shown += f"-{self.text_within(multiply(number(-1.0), term), PRODUCT)}"
             else:
-                shown += f"{'+' if shown else ''}{self.at(term, PRODUCT)}"
+                shown += f"{'+' if shown else ''}{self.text_within(term, PRODUCT)}"
         return shown

@@ -31,7 +31,7 @@ class DriveReach:
     full: bool = False
 
 
-def reach(
+def drive_reach(
     compiled: Compiled,
     drive: str,
     zero: float | None,
@@ -48,7 +48,7 @@ def reach(
             return _none(compiled, drive, start)
         if found.full:
             return DriveReach(zero, zero + 2 * math.pi, zero, start, full=True)
-        if not found.holds(zero):
+        if not found.contains(zero):
             return _zero_beyond(compiled, drive, zero, found)
         low, high = found.allowed
         return DriveReach(min(low, zero), max(high, zero), zero, start)
@@ -59,7 +59,7 @@ def reach(
     tiny = SAME * (high - low)
     if found.low > low + tiny or found.high < high - tiny or found.dead[0] or found.dead[1]:
         whole = _home(ranges(compiled, drive, None, SAMPLES), start) or found
-        if not whole.full and not whole.holds(zero):
+        if not whole.full and not whole.contains(zero):
             return _zero_beyond(compiled, drive, zero, whole)
         met = found.groups or whole.groups
         return _beyond(compiled, drive, window, found if whole.full else whole, met, zero, stops)
@@ -80,7 +80,7 @@ class _Home:
     groups: tuple[str, ...]
     full: bool
 
-    def holds(self, value: float) -> bool:
+    def contains(self, value: float) -> bool:
         """Whether a value lies within, short of toggles."""
         low = self.low < value or (self.low == value and not self.dead[0])
         return low and (value < self.high or (value == self.high and not self.dead[1]))

@@ -75,13 +75,13 @@ def _body(title: Said, compiled: Compiled, functions: JointFunctions, facts: Hin
 <footer>{markup(say("sheet.footer", version=_version.__version__))}</footer>"""
 
 
-def _shown(value: float) -> str:
+def _number_text(value: float) -> str:
     return f"{value + 0.0:.5g}".replace("-", "−")
 
 
 def _places(place: Sequence[float] | Array, whole: float) -> str:
     """Coordinates as text, without what is round-off in a linkage of the size ``whole``."""
-    return ", ".join(_shown(round(float(part) / whole, 10) * whole) for part in place)
+    return ", ".join(_number_text(round(float(part) / whole, 10) * whole) for part in place)
 
 
 def _error(value: float, unit: str) -> str:
@@ -102,7 +102,7 @@ def _linkage(compiled: Compiled, functions: JointFunctions, facts: HingeFacts) -
     if compiled.plane is None:
         notes.append(say("sheet.axis.flat"))
     else:
-        notes.append(say("sheet.axis", normal=", ".join(_shown(part) for part in compiled.plane.normal)))
+        notes.append(say("sheet.axis", normal=", ".join(_number_text(part) for part in compiled.plane.normal)))
     note = f'<p class="note">{markup(" ".join(notes))}</p>'
     return f"<figure><figcaption>{markup(say('sheet.drawing'))}</figcaption>{drawn}<ol>{links}</ol>{note}</figure>"
 
@@ -178,8 +178,8 @@ def _facts(compiled: Compiled, facts: HingeFacts) -> str:
     rows = [(say("sheet.opening", link=facts.panel), _range("sheet.opening.text", opening))]
     for least in told["transmission"]:
         key = "sheet.transmission.still" if least["at"] is None else "sheet.transmission.text"
-        at = "" if least["at"] is None else _shown(least["at"])
-        data = {"angle": _shown(least["least"]), "unit": least["unit"], "group": least["group"], "at": at}
+        at = "" if least["at"] is None else _number_text(least["at"])
+        data = {"angle": _number_text(least["least"]), "unit": least["unit"], "group": least["group"], "at": at}
         rows.append((say("sheet.transmission"), say(key, drive=facts.drive, drive_unit=drive["unit"], **data)))
     if any(value is not None for end in pole["ends"] for value in end):
         start, stop = (say("sheet.pole.far") if None in end else _places(end, whole) for end in pole["ends"])
@@ -194,7 +194,7 @@ def _facts(compiled: Compiled, facts: HingeFacts) -> str:
         if force["min"] is not None:
             rows.append((say("sheet.spring", name=name), _range("sheet.spring.text", force)))
     if "swept" in told:
-        x0, y0, x1, y1 = (_shown(edge) for edge in told["swept"]["bounds"])
+        x0, y0, x1, y1 = (_number_text(edge) for edge in told["swept"]["bounds"])
         data = {"area": f"{told['swept']['area']:.6g}", "unit": told["swept"]["unit"]}
         rows.append((say("sheet.swept"), say("sheet.swept.text", x0=x0, x1=x1, y0=y0, y1=y1, **data)))
     cells = "".join(f"<div><dt>{markup(name)}</dt><dd>{markup(text)}</dd></div>" for name, text in rows)
@@ -202,7 +202,7 @@ def _facts(compiled: Compiled, facts: HingeFacts) -> str:
 
 
 def _range(key: str, told: dict[str, float | str]) -> str:
-    low, high = (_shown(float(told[end])) for end in ("min", "max"))
+    low, high = (_number_text(float(told[end])) for end in ("min", "max"))
     return say(key, low=low, high=high, unit=told["unit"])
 
 
@@ -257,18 +257,19 @@ def _plane(compiled: Compiled, facts: HingeFacts) -> str:
         drawn = facts.swept.simplify(0.1 / plane.scale * size)
         parts = getattr(drawn, "geoms", [drawn])
         rings = [ring for part in parts for ring in (part.exterior, *part.interiors)]
-        path = "".join(f"M{points(*plane.at(*(np.array(ring.coords).T / size)))}Z" for ring in rings)
+        path = "".join(f"M{points(*plane.to_picture(*(np.array(ring.coords).T / size)))}Z" for ring in rings)
         shapes.append(f'<path class="area" d="{path}"/>')
     for look, corners in (("end", facts.outline_end), ("outline", facts.outline)):
         if corners is not None:
-            shapes.append(f'<polygon class="{look}" points="{points(*plane.at(*(corners / size)))}"/>')
+            shapes.append(f'<polygon class="{look}" points="{points(*plane.to_picture(*(corners / size)))}"/>')
     breaks = np.flatnonzero(~near)
     for run in np.split(np.arange(near.size), breaks):
         run = run[near[run]]
         if run.size > 1:
-            shapes.append(f'<polyline class="pole" points="{points(*plane.at(*pole[:, run]))}"/>')
+            shapes.append(f'<polyline class="pole" points="{points(*plane.to_picture(*pole[:, run]))}"/>')
     shapes += [
-        f'<circle class="pivot" cx="{x:.1f}" cy="{y:.1f}" r="2"/>' for x, y in zip(*plane.at(*pins), strict=True)
+        f'<circle class="pivot" cx="{x:.1f}" cy="{y:.1f}" r="2"/>'
+        for x, y in zip(*plane.to_picture(*pins), strict=True)
     ]
     title = say(f"sheet.chart.{'pole' if facts.swept is None else 'swept'}", link=facts.panel)
     picture = (

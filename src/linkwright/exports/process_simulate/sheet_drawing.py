@@ -69,7 +69,7 @@ def linkage(
     names = [point for of in bones.values() for point in of]
     poses = places(compiled, drive, names, ends)
     room = _Room(np.array([place for pose in poses for place in pose.values()]))
-    here, there = ({name: room.at(place) for name, place in pose.items()} for pose in poses)
+    here, there = ({name: room.to_picture(place) for name, place in pose.items()} for pose in poses)
     shapes = [_ground(here[point]) for point in bones[FRAME]]
     for look, pose in (("there", there), ("here", here)):
         for link, of in bones.items():
@@ -128,7 +128,7 @@ class _Room:
         self.width, self.height = WIDTH, float(span[1] * self.scale + 2 * MARGIN)
         self.middle = (low + high) / 2
 
-    def at(self, place: Array) -> Array:
+    def to_picture(self, place: Array) -> Array:
         """Where a place (m) lies in the picture."""
         x, y = (place - self.middle) * self.scale
         return np.array([self.width / 2 + x, self.height / 2 - y])

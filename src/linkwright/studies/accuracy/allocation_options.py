@@ -99,7 +99,7 @@ def problem(
             continue
         path = (*PATH, "costs", one.name)
         wrong = [*_no_grade(one, cost, path, rounding)]
-        ends, more = _ends(quantities, one, half, cost, path)
+        ends, more = _half_width_limits(quantities, one, half, cost, path)
         findings += [*wrong, *more]
         if wrong or more or ends is None:
             continue
@@ -127,7 +127,7 @@ def allocated(problem: Problem) -> tuple[Allocation, list[Finding]]:
     found = allocate(problem)
     notes = []
     for target in found.targets:
-        if not target.met:
+        if not target.passed:
             data = {
                 "name": target.name,
                 "wanted": f"{target.wanted / target.size:.6g}",
@@ -188,7 +188,7 @@ def _no_grade(one: Contributor, cost: Any, path: tuple[str, ...], rounding: bool
         yield Finding("accuracy.no-grade", path, {"name": one.name, "grades": ", ".join(lacking), "unit": one.unit})
 
 
-def _ends(
+def _half_width_limits(
     quantities: Quantities, one: Contributor, half: float, cost: Any, path: tuple[str, ...]
 ) -> tuple[tuple[float, float] | None, list[Finding]]:
     """The least and the largest half-width of a parameter."""

@@ -53,7 +53,7 @@ class AllocatedTarget:
     row: int
 
     @property
-    def met(self) -> bool:
+    def passed(self) -> bool:
         """Whether the optimum keeps the target."""
         return self.after <= self.wanted * (1 + 1e-8)
 

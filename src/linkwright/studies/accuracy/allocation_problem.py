@@ -78,7 +78,7 @@ class Problem:
         return np.array([item.now for item in self.items])
 
     @cached_property
-    def ends(self) -> tuple[Array, Array]:
+    def half_width_limits(self) -> tuple[Array, Array]:
         """The least and the largest half-widths of the free items."""
         return np.array([self.items[i].low for i in self.free]), np.array([self.items[i].high for i in self.free])
 
@@ -107,7 +107,7 @@ class Problem:
         every[self.free] = halves
         return every
 
-    def uses(self, halves: Array) -> Array:
+    def target_use(self, halves: Array) -> Array:
         """How much of its target each row uses: (rows,), 1 being all of it; of rss the square."""
         part = self.weights * self.full(halves)
         return np.asarray(np.where(self.squared, ((part @ self.correlation) * part).sum(axis=1), part.sum(axis=1)))
@@ -120,13 +120,13 @@ class Problem:
 
     def shares(self, halves: Array) -> Array:
         """The largest half-width of each demand over what is wanted: (demands,)."""
-        uses = self.uses(halves)
+        uses = self.target_use(halves)
         shares = np.where(self.squared, np.sqrt(np.maximum(uses, 0)), uses)
         return np.array([shares[self.owner == k].max() for k in range(len(self.demands))])
 
-    def kept(self, halves: Array) -> bool:
+    def meets_targets(self, halves: Array) -> bool:
         """Whether all rows keep their targets."""
-        return bool(self.uses(halves).max() <= 1 + SLACK)
+        return bool(self.target_use(halves).max() <= 1 + SLACK)
 
     def cost(self, halves: Array) -> float:
         """The cost of the free items."""

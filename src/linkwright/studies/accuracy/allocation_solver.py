@@ -39,29 +39,29 @@ def allocate(problem: Problem) -> Allocation:
     """The cheapest half-widths; where an item has choices, the cheapest of these as well."""
     # If even the loosest tolerances meet all targets there is nothing to solve; if the tightest do not, they cannot
     # be met.
-    low, high = problem.ends
+    low, high = problem.half_width_limits
     halves, multipliers, reached = high, np.zeros(problem.owner.size), True
-    loose = problem.kept(high)
+    loose = problem.meets_targets(high)
     if not loose:
-        halves = low if problem.kept(low) else _closest(problem)
-        reached = problem.kept(halves)
+        halves = low if problem.meets_targets(low) else _closest(problem)
+        reached = problem.meets_targets(halves)
     # In between: the convex optimum.
     if not loose and reached:
         halves, multipliers = _optimum(problem)
     cost = problem.hull(halves)
     # Round to grades, if every item has a list of choices.
-    choice = rounded(problem, halves, multipliers, cost) if reached and _wanted(problem) else None
+    choice = rounded(problem, halves, multipliers, cost) if reached and _all_have_choices(problem) else None
     return _outcome(problem, halves, multipliers, cost, choice, reached, loose)
 
 
-def _wanted(problem: Problem) -> bool:
+def _all_have_choices(problem: Problem) -> bool:
     return all(problem.items[i].choices for i in problem.free)
 
 
 def optimality(problem: Problem, halves: Array, multipliers: Array) -> Optimality:
     """The conditions of Karush, Kuhn and Tucker, taken from the laws and the rows alone."""
-    cost, uses = problem.hull(halves), problem.uses(halves)
-    low, high = problem.ends
+    cost, uses = problem.hull(halves), problem.target_use(halves)
+    low, high = problem.half_width_limits
     # Stationarity: at the optimum each marginal cost equals the weighted sum of the rows' slopes; at a kink or at an
     # end of its range it may lie between the one-sided slopes.
     needed, off = -multipliers @ problem.slopes(halves), 0.0
@@ -80,10 +80,10 @@ def optimality(problem: Problem, halves: Array, multipliers: Array) -> Optimalit
 def _optimum(problem: Problem) -> tuple[Array, Array]:
     """The optimum and the multiplier of each row. Rows are taken in as they are exceeded: few of a signal's poses ever
     are."""
-    multipliers, halves = np.zeros(problem.owner.size), problem.ends[1]
+    multipliers, halves = np.zeros(problem.owner.size), problem.half_width_limits[1]
     rows: list[int] = []
     while True:
-        uses = problem.uses(halves)
+        uses = problem.target_use(halves)
         # Active set: add the most exceeded row of each target and solve again, until no row is exceeded.
         worst = [int(np.flatnonzero(problem.owner == k)[uses[problem.owner == k].argmax()]) for k in _demands(problem)]
         new = [row for row in worst if uses[row] > 1 + SLACK and row not in rows]
@@ -99,7 +99,7 @@ def _demands(problem: Problem) -> range:
     return range(len(problem.demands))
 
 
-def _uses(problem: Problem, every: Any, rows: Sequence[int]) -> list[Any]:
+def _symbolic_target_use(problem: Problem, every: Any, rows: Sequence[int]) -> list[Any]:
     """The uses of some rows in symbols."""
     import casadi as ca
 
@@ -114,7 +114,7 @@ def _symbols(problem: Problem) -> tuple[Any, Any, Array]:
     """The logarithms of the free half-widths over their means, all half-widths, and those means."""
     import casadi as ca
 
-    low, high = problem.ends
+    low, high = problem.half_width_limits
     middle = np.sqrt(low * high)
     u = ca.SX.sym("u", len(problem.free))
     every = ca.SX(ca.DM(problem.now))
@@ -126,7 +126,7 @@ def _solved(problem: Problem, rows: Sequence[int]) -> tuple[Array, Array]:
     """The optimum under some rows, and their multipliers (of uses, in cost)."""
     import casadi as ca
 
-    low, high = problem.ends
+    low, high = problem.half_width_limits
     u, every, middle = _symbols(problem)
     scale = problem.hull(middle) or 1.0
     # Smooth laws enter the cost as formulas. A stepped law enters as its convex hull: a new variable above all
@@ -141,7 +141,7 @@ def _solved(problem: Problem, rows: Sequence[int]) -> tuple[Array, Array]:
             total += level
         else:
             total += law.formula(half) / scale  # type: ignore[attr-defined]
-    uses = _uses(problem, every, rows)
+    uses = _symbolic_target_use(problem, every, rows)
     # Solve with IPOPT in the logarithms of the half-widths; costs are scaled to about one.
     found = _minimum(
         ca.vertcat(u, *levels),
@@ -161,14 +161,14 @@ def _closest(problem: Problem) -> Array:
     cancel."""
     import casadi as ca
 
-    low, high = problem.ends
+    low, high = problem.half_width_limits
     # Without negative correlations smaller tolerances always help, so the least ones are closest.
     part = problem.weights[problem.squared][:, :, None] * problem.weights[problem.squared][:, None, :]
     if not (part * problem.correlation < 0).any():
         return low
     u, every, middle = _symbols(problem)
     most = ca.SX.sym("most")
-    uses = _uses(problem, every, range(problem.owner.size))
+    uses = _symbolic_target_use(problem, every, range(problem.owner.size))
     # Otherwise minimise the largest use of all rows.
     found = _minimum(
         ca.vertcat(u, most),
@@ -205,7 +205,7 @@ def _outcome(
     if reached:
         proof = optimality(problem, halves, multipliers)
     else:
-        proof = Optimality(0.0, float(problem.uses(halves).max()) - 1, 0.0)
+        proof = Optimality(0.0, float(problem.target_use(halves).max()) - 1, 0.0)
     return Allocation(
         tuple(_items(problem, halves, multipliers, choice)),
         tuple(_targets(problem, halves, multipliers, chosen)),
@@ -235,7 +235,7 @@ def _items(problem: Problem, halves: Array, multipliers: Array, choice: RoundedW
 
 def _targets(problem: Problem, halves: Array, multipliers: Array, chosen: Array | None) -> Iterator[AllocatedTarget]:
     now, after = problem.shares(problem.now[problem.free]), problem.shares(halves)
-    fine, uses = None if chosen is None else problem.shares(chosen), problem.uses(halves)
+    fine, uses = None if chosen is None else problem.shares(chosen), problem.target_use(halves)
     for k, demand in enumerate(problem.demands):
         mine, wanted = problem.owner == k, demand.wanted
         power = 2 if demand.method == "rss" else 1

@@ -118,7 +118,7 @@ def calibrate(run: Run, options: Calibrate, contributors: Contributors) -> tuple
     chosen = [names.index(name) for name in dict.fromkeys(options.parameters or names)]
     shifted = Shifted(run, contributors.directions[:, chosen], sheet.outputs, t)
     data = Measurements(sheet.values, sigma, np.array([column.dimension == u.ANGLE for column in sheet.outputs]))
-    start, basis = _begun(contributors, chosen, options.prior)
+    start, basis = _start_and_scale(contributors, chosen, options.prior)
     try:
         found = fit(shifted, data, start, basis, options.prior, options.confidence, options.threshold)
     except TooFew as error:
@@ -130,7 +130,7 @@ def calibrate(run: Run, options: Calibrate, contributors: Contributors) -> tuple
     return made, list(_warnings(made))
 
 
-def _begun(contributors: Contributors, chosen: list[int], prior: bool) -> tuple[Array, Array]:
+def _start_and_scale(contributors: Contributors, chosen: list[int], prior: bool) -> tuple[Array, Array]:
     """Where the deviations begin and what their scale is: with a prior, its mean and a root of its covariance."""
     if not prior:
         return np.zeros(len(chosen)), np.diag(contributors.sigma[chosen])

@@ -25,7 +25,7 @@ MOST_SAMPLES = 100
 
 def curve_charts(curve: SignalDeviations, outcome: AccuracyOutcome) -> list[Chart]:
     """A signal's band, once more as deviations where it is narrow, and what its contributors make of it."""
-    width, span = np.nanmax(curve.worst[1] - curve.worst[0], initial=0.0), np.ptp(_known(curve.nominal))
+    width, span = np.nanmax(curve.worst[1] - curve.worst[0], initial=0.0), np.ptp(_finite_values(curve.nominal))
     apart = [_band(curve, outcome, centred=True)] if 0 < width < NARROW * span else []
     return [_band(curve, outcome), *apart, _contributions(curve, outcome)]
 
@@ -39,7 +39,7 @@ def figure_charts(figure: OutputDeviations, outcome: AccuracyOutcome) -> list[Ch
     return [chart for chart in made if chart is not None]
 
 
-def _known(values: Array) -> Array:
+def _finite_values(values: Array) -> Array:
     known = values[np.isfinite(values)]
     return known if known.size else np.zeros(1)
 
@@ -54,7 +54,7 @@ def _band(curve: SignalDeviations, outcome: AccuracyOutcome, centred: bool = Fal
     mean, wide = nominal + curve.mean[some] / curve.size, WIDE * curve.sigma[some] / curve.size
     shift, bound = np.zeros((2, some.size)) if curve.play is None else curve.play[:, some] / curve.size
     title = named(Said("accuracy.chart.deviation", name=curve.text) if centred else curve.text, curve.unit)
-    every = _known(np.stack([nominal, low - bound, high + bound, mean - wide, mean + wide, nominal + shift]))
+    every = _finite_values(np.stack([nominal, low - bound, high + bound, mean - wide, mean + wide, nominal + shift]))
     axes = Axes((t[0], t[-1]), (float(every.min()), float(every.max())), named(Said("plot.time"), time_unit))
     shapes = [axes.area(t, low, high, "range"), axes.area(t, mean - wide, mean + wide, "spread")]
     shapes.append(axes.line(t, nominal, "mean"))
@@ -76,7 +76,7 @@ def _contributions(curve: SignalDeviations, outcome: AccuracyOutcome) -> Chart:
     parts = curve.coefficients[:, some] * outcome.contributors.sigma[:, None] / curve.size
     title = named(Said("accuracy.chart.contributions", name=curve.text), curve.unit)
     first = np.argsort(-np.nanmax(np.abs(parts), axis=1, initial=0.0), kind="stable")[:MOST_LINES].tolist()
-    known, t = _known(parts[first]), curve.t[some] / second
+    known, t = _finite_values(parts[first]), curve.t[some] / second
     top = float(known.max() + 0.12 * np.ptp(known))  # room for the names
     axes = Axes((t[0], t[-1]), (float(known.min()), top), named(Said("plot.time"), time_unit))
     shapes, x = [], LEFT + 4
@@ -149,7 +149,7 @@ def _convergence(figure: OutputDeviations, found: MonteCarlo, row: str) -> Chart
         "sigma": (sigmas, found.sigma, found.sigma_interval, figure.sigma),
     }[row]
     ends = (last, last) if interval is None else interval
-    every = _known(np.concatenate([values, [rss, *ends]])) / size
+    every = _finite_values(np.concatenate([values, [rss, *ends]])) / size
     reach = float(np.ptp(every))
     axes = Axes(
         (0.0, float(count[-1])),

@@ -19,9 +19,9 @@ from linkwright.findings import Finding, enumerated
 from linkwright.kernels import Compiled
 from linkwright.results import Run
 from linkwright.results.quadrature import gauss_points
-from linkwright.studies.accuracy.clearance_contacts import held
+from linkwright.studies.accuracy.clearance_contacts import loose_joints
 from linkwright.studies.accuracy.clearance_sensitivities import Gaps, Resting
-from linkwright.studies.accuracy.contact import joined, lost
+from linkwright.studies.accuracy.contact import lost_contact_spans, merge_spans
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.outcome import JointPlay, PlayEffect
 
@@ -40,7 +40,7 @@ class Plays:
     def __init__(self, compiled: Compiled, run: Run, options: AccuracyOptions) -> None:
         self.compiled, self.run, self.contact = compiled, run, options.contact
         self.warnings: list[Finding] = []
-        self.held = held(compiled, options.clearances)
+        self.held = loose_joints(compiled, options.clearances)
         self.gaps = Gaps(run, self.held)
         self.resting = Resting(self.gaps, self.loads)
 
@@ -68,7 +68,7 @@ class Plays:
 
     def _reactions(self, t: Array) -> list[Array]:
         """What each joint transmits (N): of a guide the sum of the forces at its ends."""
-        rows = {name: jet.d[0] for name, jet in self.gaps.known(t).items()}
+        rows = {name: jet.d[0] for name, jet in self.gaps.needed_rows(t).items()}
         return [np.asarray(one.size([part for seat in one.forces(rows) for part in seat])) for one in self.held]
 
     def _warn(self, code: str, one: LooseJoint) -> None:
@@ -103,21 +103,23 @@ class Plays:
     def joints(self) -> list[JointPlay]:
         """Each joint with clearance over the run, a pin of several links once for each."""
         t, found = self.run.t, []
-        rows, reactions = self.gaps.known(t), self._reactions(t)
+        rows, reactions = self.gaps.needed_rows(t), self._reactions(t)
         for one, load, reaction in zip(self.held, self.loads, reactions, strict=True):
             units = self.resting.directions(one, load, rows)
             shift = one.displacement([tuple(one.clearance * part.d[0] for part in unit) for unit in units])
             seats = range(len(units)) if load else ()
-            spans = [span for i in seats for span in lost(self.run, self._force(one, i), self.contact * load)]
-            named = tuple((a, b, f"contact.{one.kind}-{cause}") for a, b, cause in joined(spans))
+            spans = [
+                span for i in seats for span in lost_contact_spans(self.run, self._force(one, i), self.contact * load)
+            ]
+            named = tuple((a, b, f"contact.{one.kind}-{cause}") for a, b, cause in merge_spans(spans))
             found.append(JointPlay(one.joint, one.links, one.clearance, t, reaction, np.stack(shift), named))
         return found
 
     def _force(self, one: LooseJoint, seat: int) -> Callable[[Array], tuple[Array, Array]]:
         """The force at a joint's contact and its rate."""
 
-        def of(t: Array) -> tuple[Array, Array]:
-            force = one.forces(self.gaps.known(t))[seat]
+        def force_and_rate(t: Array) -> tuple[Array, Array]:
+            force = one.forces(self.gaps.needed_rows(t))[seat]
             return np.stack([part.d[0] for part in force]), np.stack([part.d[1] for part in force])
 
-        return of
+        return force_and_rate

@@ -20,7 +20,7 @@ from linkwright.studies.accuracy.clearance_options import Clearance
 from linkwright.studies.accuracy.rollers import on_roller, rollers
 
 
-def held(compiled: Compiled, clearances: Mapping[str, Clearance]) -> list[LooseJoint]:
+def loose_joints(compiled: Compiled, clearances: Mapping[str, Clearance]) -> list[LooseJoint]:
     """What is held with the stated clearances, which are sound."""
     joints, of_rollers = compiled.structure.topology.joints, rollers(compiled)
     geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
@@ -41,7 +41,7 @@ def named(known: Known) -> Named:
     return BodyPlace(*known) if isinstance(known, Axis) else known
 
 
-def columns(held: Sequence[LooseJoint]) -> list[range]:
+def columns(joints: Sequence[LooseJoint]) -> list[range]:
     """Where the displacements of each stand among those of all."""
-    ends = np.cumsum([0, *(len(one.plays) for one in held)]).tolist()
+    ends = np.cumsum([0, *(len(one.plays) for one in joints)]).tolist()
     return [range(start, stop) for start, stop in pairwise(ends)]

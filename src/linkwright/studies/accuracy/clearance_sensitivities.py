@@ -34,14 +34,14 @@ class Gaps(Slopes):
         self.held, self.columns = tuple(held), columns(held)
         self.rows = tuple(dict.fromkeys(row for one in held for row in one.rows))
 
-    def known(self, t: Array) -> dict[Known, Jet]:
+    def needed_rows(self, t: Array) -> dict[Known, Jet]:
         """What the joints need to know of times, with rates."""
         values, rates = self.run.compiled.rates([named(row) for row in self.rows], t)
         return {name: Jet(pair) for name, *pair in zip(self.rows, values, rates, strict=True)}
 
     def at(self, trees: Sequence[Node], t: Array, rates: bool = True) -> Local:
         """Expressions bound to SI at times ``t`` (s), as those by deviations."""
-        plays, rows = super().at(trees, t, rates), self.known(t)
+        plays, rows = super().at(trees, t, rates), self.needed_rows(t)
         slope, twist = np.empty_like(plays.slope), np.empty_like(plays.twist)
         for one, at in zip(self.held, self.columns, strict=True):
             by = [Jet([plays.slope[:, k], plays.twist[:, k]]) for k in at]
@@ -70,7 +70,7 @@ class Resting(Slopes):
 
     def at(self, trees: Sequence[Node], t: Array, rates: bool = True) -> Local:
         """Expressions bound to SI at times ``t`` (s), as those by deviations."""
-        gaps, rows = self.gaps.at(trees, t, rates), self.gaps.known(t)
+        gaps, rows = self.gaps.at(trees, t, rates), self.gaps.needed_rows(t)
         slope, twist = (np.zeros((len(trees), self.count, t.size)) for _ in range(2))
         for i, (one, load) in enumerate(zip(self.gaps.held, self.loads, strict=True)):
             units = [part for seat in self.directions(one, load, rows) for part in seat]

@@ -22,7 +22,7 @@ Forces = Callable[[Array], tuple[Array, Array]]
 LIGHT, TURNED, AT_ONCE = "light", "turned", "at-once"
 
 
-def lost(run: Run, forces: Forces, least: float) -> list[Span]:
+def lost_contact_spans(run: Run, forces: Forces, least: float) -> list[Span]:
     """The spans (s) in which a force (N) is smaller than ``least``, and the jumps in which it turns over.
 
     The cause is ``turned`` where the force points more than 90 deg away from where it did once it is back, ``at-once``
@@ -73,7 +73,7 @@ def _turned(forces: Forces, before: float, after: float) -> bool:
     return bool(force[:, 0] @ force[:, 1] < 0)
 
 
-def joined(spans: Iterable[Span]) -> list[Span]:
+def merge_spans(spans: Iterable[Span]) -> list[Span]:
     """The spans of several contacts in the order of time, those that overlap as one; that something turns counts more
     than that it is light."""
     found: list[Span] = []

@@ -54,7 +54,7 @@ class Derivatives:
 
     def moves(self, window: BoundWindow | None, time: float) -> Array | None:
         """How a time moves with the deviations that is an end of a window or of a load."""
-        end = self.edges.end(window, time)
+        end = self.edges.end_slope(window, time)
         return self.edges.jump(time) if end is None else end
 
     def place(self, tree: Node, time: float, value: float, window: BoundWindow | None) -> Array:
@@ -92,7 +92,7 @@ class Derivatives:
             value, part = self._quadrature(probe.node, a, b, inside, power)
             total, slope = total + value, slope + part
             for edge, sign in ((a, -1.0), (b, 1.0)):
-                moves = edges.end(measure.window, edge)
+                moves = edges.end_slope(measure.window, edge)
                 assert moves is not None
                 slope = slope + sign * self._power(probe, edge, power) * moves
                 grows = grows + sign * moves

@@ -24,12 +24,17 @@ def allocation_entry(found: Allocation | None) -> dict[str, Any] | None:
     if found is None:
         return None
     now, cheapest, rounded = found.costs
-    cost = {"now": known(now), "cheapest": known(cheapest), "rounded": _known(rounded), "loss": _known(found.loss)}
+    cost = {
+        "now": known(now),
+        "cheapest": known(cheapest),
+        "rounded": _json_number(rounded),
+        "loss": _json_number(found.loss),
+    }
     return {
         "reached": found.reached,
         "loose": found.loose,
         "sigmas": found.sigmas,
-        "cost": {**cost, "bound": _known(found.bound), "proven": found.proven},
+        "cost": {**cost, "bound": _json_number(found.bound), "proven": found.proven},
         "tolerances": {one.name: _allotted(one) for one in found.items},
         "targets": {one.name: _target(one) for one in found.targets},
         "optimality": {
@@ -42,9 +47,9 @@ def _allotted(one: Allotted) -> dict[str, Any]:
     widths = {"now": one.now, "cheapest": one.half, "least": one.low, "largest": one.high, "rounded": one.rounded}
     return {
         "unit": one.unit,
-        **{key: _known(width, one.size) for key, width in widths.items()},
+        **{key: _json_number(width, one.size) for key, width in widths.items()},
         "grade": one.grade,
-        "cost": dict(zip(("now", "cheapest", "rounded"), map(_known, one.costs), strict=True)),
+        "cost": dict(zip(("now", "cheapest", "rounded"), map(_json_number, one.costs), strict=True)),
         "price": known(one.price * one.size),
         "fixed": one.fixed,
     }
@@ -55,8 +60,8 @@ def _target(one: AllocatedTarget) -> dict[str, Any]:
     return {
         "unit": one.unit,
         "method": one.method,
-        **{key: _known(width, one.size) for key, width in widths.items()},
-        "met": one.met,
+        **{key: _json_number(width, one.size) for key, width in widths.items()},
+        "met": one.passed,
         "price": known(one.price * one.size),
     }
 
@@ -75,7 +80,7 @@ def calibration_entry(found: Calibration | None) -> dict[str, Any] | None:
         "outputs": {name: _fit(found, i) for i, name in enumerate(found.outputs)},
         "chi_square": known(found.chi_square),
         "freedom": found.freedom,
-        "probability": _known(found.probability),
+        "probability": _json_number(found.probability),
         "confounded": [
             {"deviations": {name: d / sizes[name] for name, d in one.deviations.items()}, "scaling": one.scaling}
             for one in found.confounded
@@ -91,7 +96,7 @@ def calibration_entry(found: Calibration | None) -> dict[str, Any] | None:
 def _estimate(one: Estimate) -> dict[str, Any]:
     interval = None if one.interval is None else [end / one.size for end in one.interval]
     figures = {"nominal": one.nominal, "value": one.value, "deviation": one.deviation, "error": one.error}
-    shown = {key: _known(value, one.size) for key, value in figures.items()}
+    shown = {key: _json_number(value, one.size) for key, value in figures.items()}
     return {"unit": one.unit, **shown, "interval": interval, "identified": one.identified}
 
 
@@ -113,10 +118,10 @@ def design_sentences(allocation: Allocation | None, calibration: Calibration | N
     if allocation is not None:
         now, cheapest, rounded = allocation.costs
         key = "loose" if allocation.loose else "reached" if allocation.reached else "missed"
-        yield Said(f"accuracy.allocation.{key}", now=_shown(now), cheapest=_shown(cheapest))
+        yield Said(f"accuracy.allocation.{key}", now=_number_cell(now), cheapest=_number_cell(cheapest))
         if rounded is not None:
             proven = "proven" if allocation.proven else "found"
-            yield Said(f"accuracy.allocation.{proven}", cost=_shown(rounded), loss=_shown(allocation.loss))
+            yield Said(f"accuracy.allocation.{proven}", cost=_number_cell(rounded), loss=_number_cell(allocation.loss))
     if calibration is not None:
         yield Said("accuracy.calibration", measured=len(calibration.observed), count=len(calibration.estimates))
         for same in calibration.confounded:
@@ -124,7 +129,7 @@ def design_sentences(allocation: Allocation | None, calibration: Calibration | N
         for one in calibration.observed:
             if one.outlier:
                 name, size = calibration.outputs[one.output], calibration.units[one.output][1]
-                yield Said("accuracy.outlier", row=one.row, name=name, rest=_shown(one.residual, size))
+                yield Said("accuracy.outlier", row=one.row, name=name, rest=_number_cell(one.residual, size))
 
 
 def design_tables(allocation: Allocation | None, calibration: Calibration | None) -> Iterator[Table]:
@@ -142,31 +147,35 @@ def design_tables(allocation: Allocation | None, calibration: Calibration | None
 
 
 def _tolerance(one: Allotted) -> list[Cell]:
-    widths = (_shown(width, one.size) for width in (one.now, one.half, one.rounded))
+    widths = (_number_cell(width, one.size) for width in (one.now, one.half, one.rounded))
     grade = Said("accuracy.fixed") if one.fixed else one.grade or UNKNOWN
-    return [one.name, *widths, grade, _shown(one.price * one.size * THOUSANDTH), Unit(one.unit)]
+    return [one.name, *widths, grade, _number_cell(one.price * one.size * THOUSANDTH), Unit(one.unit)]
 
 
 def _demand(one: AllocatedTarget) -> list[Cell]:
-    widths = (_shown(width, one.size) for width in (one.wanted, one.now, one.after, one.rounded))
-    return [one.name, *widths, _shown(one.price * one.size * THOUSANDTH), Unit(one.unit)]
+    widths = (_number_cell(width, one.size) for width in (one.wanted, one.now, one.after, one.rounded))
+    return [one.name, *widths, _number_cell(one.price * one.size * THOUSANDTH), Unit(one.unit)]
 
 
 def _estimated(one: Estimate) -> list[Cell]:
-    figures = (_shown(value, one.size) for value in (one.nominal, one.value, one.deviation))
-    ends = Numbers([_shown(end, one.size) for end in one.interval or ()])
+    figures = (_number_cell(value, one.size) for value in (one.nominal, one.value, one.deviation))
+    ends = Numbers([_number_cell(end, one.size) for end in one.interval or ()])
     told = ends if one.identified else Said("accuracy.not-told")
-    return [one.name, *figures, told, _shown(one.error, one.size), Unit(one.unit)]
+    return [one.name, *figures, told, _number_cell(one.error, one.size), Unit(one.unit)]
 
 
 def _fitted(found: Calibration, i: int) -> list[Cell]:
     unit, size = found.units[i]
-    return [found.outputs[i], *(_shown(row[i], size) for row in (found.sigmas, found.before, found.after)), Unit(unit)]
+    return [
+        found.outputs[i],
+        *(_number_cell(row[i], size) for row in (found.sigmas, found.before, found.after)),
+        Unit(unit),
+    ]
 
 
-def _known(value: float | None, size: float = 1.0) -> float | None:
+def _json_number(value: float | None, size: float = 1.0) -> float | None:
     return None if value is None else known(value / size)
 
 
-def _shown(value: float | None, size: float = 1.0) -> NumberCell:
-    return NumberCell(_known(value, size), 5)
+def _number_cell(value: float | None, size: float = 1.0) -> NumberCell:
+    return NumberCell(_json_number(value, size), 5)

@@ -30,7 +30,7 @@ def check_design(
     """What is wrong with what is asked of the coefficients and with the measurements; ``stop`` is
     the length of the run (s)."""
     if options.allocate is not None:
-        outputs = _known(compiled, options, len(contributors))
+        outputs = _expected_outputs(compiled, options, len(contributors))
         yield from problem(compiled.quantities, options.allocate, contributors, outputs)[1]
     if options.calibrate is not None:
         run = Run(compiled, 0.0, stop, options.steps)
@@ -70,7 +70,7 @@ def _of_curve(curve: SignalDeviations) -> Output:
     return Output(rows[np.isfinite(rows).all(axis=1)], curve.dimension, curve.unit, curve.size)
 
 
-def _known(compiled: Compiled, options: AccuracyOptions, count: int) -> dict[str, Output]:
+def _expected_outputs(compiled: Compiled, options: AccuracyOptions, count: int) -> dict[str, Output]:
     """All figures that the study will have, without their coefficients."""
     empty, quantities, found = np.empty((0, count)), compiled.quantities, {}
     for measure in bound_measures(quantities, options.measures(compiled)):

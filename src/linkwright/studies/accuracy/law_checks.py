@@ -22,7 +22,7 @@ def check_laws(compiled: Compiled, deviations: Contributors) -> Iterator[Finding
     """Laws that don't add up, close or run on without jumps along the direction of some deviation; tables that don't
     close."""
     quantities, m = compiled.quantities, compiled.mechanism
-    askers, moved = asking(m), {one.name: _moved(compiled, one) for one in deviations.every}
+    askers, moved = asking(m), {one.name: _parameter_duals(compiled, one) for one in deviations.every}
     for law, motion in compiled.motions.items():
         wrong = [
             name
@@ -38,7 +38,7 @@ def check_laws(compiled: Compiled, deviations: Contributors) -> Iterator[Finding
             yield Finding("accuracy.table", ("tables", name), {"table": name, "names": ", ".join(open_by)})
 
 
-def _moved(compiled: Compiled, one: Contributor) -> dict[str, float | Dual]:
+def _parameter_duals(compiled: Compiled, one: Contributor) -> dict[str, float | Dual]:
     """The parameters along the direction of a deviation."""
     rows = zip(compiled.quantities.parameters.items(), one.direction.tolist(), strict=True)
     return {name: Dual(value, np.array([[slope]])) if slope else value for (name, value), slope in rows}

@@ -44,16 +44,16 @@ class Edges:
         """Whether two times are one place."""
         return abs(a - b) <= SAME * self.length
 
-    def end(self, window: BoundWindow | None, time: float) -> Array | None:
+    def end_slope(self, window: BoundWindow | None, time: float) -> Array | None:
         """The derivative (deviations,) of an end of a window, ``None`` where the time is no end of it."""
         still = np.zeros(self.slopes.count)
         if self.same(time, self.run.start) or self.same(time, self.run.stop):
             return still
-        return None if window is None else self._found(window, time)
+        return None if window is None else self._time_slope(window, time)
 
     def jump(self, time: float) -> Array | None:
         """The derivative of a time at which a load begins or ends to act, ``None`` where there is none."""
-        every = (self._found(way, time) for way in self._jumping)
+        every = (self._time_slope(way, time) for way in self._jumping)
         return next((found for found in every if found is not None), None)
 
     def side(self, tree: Node, time: float, value: float) -> float:
@@ -63,14 +63,14 @@ class Edges:
             return time
         return float(beside[np.argmin(np.abs(self.run.jets(tree, beside).d[0] - value))])
 
-    def _found(self, way: BoundWindow | Node, time: float) -> Array | None:
+    def _time_slope(self, way: BoundWindow | Node, time: float) -> Array | None:
         """The derivative of a time at which a window ends, or an expression changes its sign."""
         if way not in self._moving:
-            self._moving[way] = [*self._ends(way)] if isinstance(way, BoundWindow) else [*self._zeros(way)]
+            self._moving[way] = [*self._window_ends(way)] if isinstance(way, BoundWindow) else [*self._zeros(way)]
         # The two sides of a jump lie up to 1e-8 of the run beside it.
         return next((slope for edge, slope in self._moving[way] if abs(edge - time) <= 3e-8 * self.length), None)
 
-    def _ends(self, window: BoundWindow) -> Iterator[tuple[float, Array]]:
+    def _window_ends(self, window: BoundWindow) -> Iterator[tuple[float, Array]]:
         return ((edge, self._slope(window, edge)) for ab in intervals(self.run, window) for edge in ab)
 
     def _zeros(self, node: Node) -> Iterator[tuple[float, Array]]:

@@ -69,7 +69,7 @@ def placed_signals(compiled: Compiled, options: AccuracyOptions, widest: Mapping
     """Each signal at each named position, and at its ``widest`` time (s)."""
     stop = span(compiled, options.cycle)[0]
 
-    def at(time: float) -> tuple[str, BoundWindow | None]:
+    def instant_at(time: float) -> tuple[str, BoundWindow | None]:
         """The instant of a time: where the window begins that is left of the run from there."""
         if time >= stop:
             return "end", None
@@ -78,11 +78,15 @@ def placed_signals(compiled: Compiled, options: AccuracyOptions, widest: Mapping
     def place(text: str) -> tuple[str, BoundWindow | None]:
         if match := _END.fullmatch(text):
             return match[1], compiled.quantities.window(match[2])
-        return (text, None) if _EXTREME.fullmatch(text) else at(compiled.quantities.value(Expression(text), u.TIME))
+        return (
+            (text, None)
+            if _EXTREME.fullmatch(text)
+            else instant_at(compiled.quantities.value(Expression(text), u.TIME))
+        )
 
     named = {name: place(text) for name, text in options.positions.items()}
     for signal in options.signals(compiled):
-        places = named | ({WIDEST: at(widest[signal.text])} if signal.text in widest else {})
+        places = named | ({WIDEST: instant_at(widest[signal.text])} if signal.text in widest else {})
         for position, (where, window) in places.items():
             name = f"{signal.text} at {position}" if position != WIDEST else signal.text
             entry = Measure.model_validate({"value": signal.raw, "where": where})

@@ -62,7 +62,7 @@ def rounded(problem: Problem, halves: Array, multipliers: Array, least: float, m
 
 def _rows(problem: Problem, halves: Array, multipliers: Array) -> list[int]:
     """The rows that bound the search: those with a multiplier, and of each demand the one that is used most."""
-    uses = problem.uses(halves)
+    uses = problem.target_use(halves)
     worst = [int(np.flatnonzero(problem.owner == k)[uses[problem.owner == k].argmax()]) for k in set(problem.owner)]
     return sorted({*worst, *np.flatnonzero(multipliers > 0).tolist()})
 
@@ -70,7 +70,7 @@ def _rows(problem: Problem, halves: Array, multipliers: Array) -> list[int]:
 def _separated(problem: Problem, halves: Array, rows: list[int], options: list[Options]) -> list[Array]:
     """Terms of each item's options in lower bounds of the uses: a list of (rows, options); the constant is shared
     out."""
-    uses, slopes = problem.uses(halves)[rows], problem.slopes(halves)[rows]
+    uses, slopes = problem.target_use(halves)[rows], problem.slopes(halves)[rows]
     weights = problem.weights[rows][:, problem.free]
     correlation = problem.correlation[np.ix_(problem.free, problem.free)]
     signs = np.sign(weights)[:, :, None] * np.sign(weights)[:, None, :] * correlation
@@ -95,15 +95,15 @@ def _first(problem: Problem, options: list[Options], halves: Array) -> list[int]
     chosen = [max(int((size <= half * (1 + SLACK)).sum()) - 1, 0) for size, half in zip(sizes, halves, strict=True)]
     looks, near = _MOST_LOOKS, _near(problem, halves)
 
-    def moved(*moves: tuple[int, int]) -> list[int]:
+    def choice_after(*moves: tuple[int, int]) -> list[int]:
         made = [*chosen]
         for i, by in moves:
             made[i] += by
         return made
 
-    def kept(choice: list[int]) -> bool:
+    def meets_targets(choice: list[int]) -> bool:
         made = np.array([size[k] for size, k in zip(sizes, choice, strict=True)])
-        return near.kept(made) and problem.kept(made)
+        return near.meets_targets(made) and problem.meets_targets(made)
 
     def step(i: int, by: int) -> float:
         """What a step saves; nothing can be stepped to beyond the ends."""
@@ -120,8 +120,8 @@ def _first(problem: Problem, options: list[Options], halves: Array) -> list[int]
         ]
         for _, moves in sorted((move for move in [*single, *double] if move[0] > 0), reverse=True):
             looks -= 1
-            if kept(moved(*moves)):
-                chosen = moved(*moves)
+            if meets_targets(choice_after(*moves)):
+                chosen = choice_after(*moves)
                 break
             if not looks:
                 break
@@ -132,7 +132,7 @@ def _first(problem: Problem, options: list[Options], halves: Array) -> list[int]
 
 def _near(problem: Problem, halves: Array) -> Problem:
     """The problem with those rows alone that come near their targets."""
-    close, demands = problem.uses(halves) > NEAR, []
+    close, demands = problem.target_use(halves) > NEAR, []
     for k, demand in enumerate(problem.demands):
         if (mine := close[problem.owner == k]).any():
             demands.append(replace(demand, coefficients=demand.coefficients[mine]))
@@ -177,7 +177,7 @@ class _RoundingSearch:
 
     def _look(self, chosen: list[int]) -> None:
         cost = sum(costs[k] for costs, k in zip(self.costs, chosen, strict=True))
-        if cost < self.cost and self.problem.kept(
+        if cost < self.cost and self.problem.meets_targets(
             np.array([halves[k] for halves, k in zip(self.halves, chosen, strict=True)])
         ):
             self.cost, self.best = cost, [*chosen]

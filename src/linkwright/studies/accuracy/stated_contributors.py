@@ -50,7 +50,7 @@ class _Stated(ToleranceReader):
         self.skipped: list[str] = []
         self.findings += option_faults(compiled.mechanism, options, PATH)
         if options.cp <= 0:
-            self.wrong("tolerance.cp", (*PATH, "cp"), cp=f"{options.cp:g}")
+            self.note_fault("tolerance.cp", (*PATH, "cp"), cp=f"{options.cp:g}")
         names = self._named() if options.parameters is not None else self._all()
         read = [toleranced(self, name) for name in names]
         read += [thermal(self, name, entry) for name, entry in options.thermal.items()]
@@ -61,9 +61,9 @@ class _Stated(ToleranceReader):
         for name, row in zip(self.quantities.parameters, self.derivatives, strict=True):
             if not np.isfinite(row).all():
                 text = compiled.mechanism.parameters[name].value.text[:60]
-                self.wrong("tolerance.no-derivative", ("parameters", name), text=text)
+                self.note_fault("tolerance.no-derivative", ("parameters", name), text=text)
         if options.deviating and not (read or self.findings):
-            self.wrong("tolerance.none", PATH)
+            self.note_fault("tolerance.none", PATH)
         self.findings += check_correlations([*names, *options.thermal], options.correlations)
 
     def contributor(self, one: Moving) -> Contributor:
@@ -97,11 +97,11 @@ class _Stated(ToleranceReader):
             if name not in self.tolerances:  # told as a name
                 continue
             if name in kept:
-                self.wrong("tolerance.named-twice", path, name=name)
+                self.note_fault("tolerance.named-twice", path, name=name)
             elif name not in self.independent:
                 self.of_derived(name, path)
             elif self.tolerances[name].limits is None and not self._meant(name):
-                self.wrong("tolerance.missing", path, name=name)
+                self.note_fault("tolerance.missing", path, name=name)
             else:
                 kept.append(name)
         return kept

@@ -183,7 +183,7 @@ def study_entry(outcome: AccuracyOutcome) -> dict[str, Any]:
         "failed": outcome.failed,
         "failed_share": outcome.failed / outcome.samples if outcome.samples else None,
         "kernel": outcome.kernel,
-        "contributors": {one.name: _stated(one) for one in every},
+        "contributors": {one.name: _contributor_entry(one) for one in every},
         "correlations": [{"of": [every[i].name, every[j].name], "is": float(correlation[i, j])} for i, j in pairs],
         "joints": [_joint(joint, outcome) for joint in outcome.joints],
         "allocation": allocation_entry(outcome.allocation),
@@ -191,7 +191,7 @@ def study_entry(outcome: AccuracyOutcome) -> dict[str, Any]:
     }
 
 
-def _stated(contributor: Contributor) -> dict[str, Any]:
+def _contributor_entry(contributor: Contributor) -> dict[str, Any]:
     return {
         "stated": contributor.stated,
         "nominal": known(contributor.nominal / contributor.size),

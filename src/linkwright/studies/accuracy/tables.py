@@ -46,10 +46,17 @@ def _line(name: str, position: Text, figure: OutputDeviations, outcome: Accuracy
     told = ", ".join(f"{name} {percent(share, 2)}" for name, share in first if share > 0)
     ranges = (_range(ends, figure) for ends in _totals(figure).values())
     play = [] if figure.play is None else [sign * figure.play.bound / figure.column.size for sign in (-1, 1)]
-    return [name, _at(position, figure, outcome), _nominal(figure), *ranges, _range(play, figure), told or UNKNOWN]
+    return [
+        name,
+        _position_text(position, figure, outcome),
+        _nominal(figure),
+        *ranges,
+        _range(play, figure),
+        told or UNKNOWN,
+    ]
 
 
-def _at(position: Text, figure: OutputDeviations, outcome: AccuracyOutcome) -> Text:
+def _position_text(position: Text, figure: OutputDeviations, outcome: AccuracyOutcome) -> Text:
     time = "" if figure.time is None else moment(figure.time, outcome)
     return Joined(filter(None, (position, time)), ": ") if position or time else UNKNOWN
 
@@ -128,7 +135,7 @@ def _play(outcome: AccuracyOutcome) -> Table:
         bound = f"±{_fixed(play.bound / size, play.bound / size, 3)}"
         both = _range([(low - play.bound) / size, (high + play.bound) / size], figure)
         shift = deviation(play.shift / size, figure)
-        rows.append([name, _at(position, figure, outcome), _nominal(figure), shift, bound, both, told])
+        rows.append([name, _position_text(position, figure, outcome), _nominal(figure), shift, bound, both, told])
     return _table("play", ("output", "at", "nominal", "shift", "bound", "together", "joints"), rows, outcome)
 
 

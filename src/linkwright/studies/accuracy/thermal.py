@@ -16,7 +16,7 @@ def thermal(reader: ToleranceReader, name: str, entry: Thermal) -> Moving | None
     """The change of temperature (K); each length L follows it by alpha L."""
     path = (*PATH, "thermal", name)
     if name in reader.tolerances:
-        reader.wrong("tolerance.thermal-name", path, name=name)
+        reader.note_fault("tolerance.thermal-name", path, name=name)
     limits, wrong = interval(reader.quantities, entry.change, u.PURE, (*path, "change"))
     reader.findings += wrong
     alpha, moved = _expansion(reader, entry, path), _lengths(reader, entry, path)
@@ -35,7 +35,7 @@ def _expansion(reader: ToleranceReader, entry: Thermal, path: Path) -> float | N
     material = (entry.material or "").strip().lower()
     if material not in EXPANSION:
         data = {"given": material[:40], "near": near(material, [*EXPANSION])}
-        reader.wrong("tolerance.material", (*path, "material"), **data)
+        reader.note_fault("tolerance.material", (*path, "material"), **data)
     return EXPANSION.get(material)
 
 
@@ -44,7 +44,7 @@ def _lengths(reader: ToleranceReader, entry: Thermal, path: Path) -> list[str]:
     lengths = [name for name in reader.independent if reader.quantities.dimensions.of(name) == u.LENGTH]
     if entry.parameters is None:
         if not lengths:
-            reader.wrong("tolerance.no-length", path)
+            reader.note_fault("tolerance.no-length", path)
         return lengths
     for i, name in enumerate(entry.parameters):
         at = (*path, "parameters", i)
@@ -53,5 +53,5 @@ def _lengths(reader: ToleranceReader, entry: Thermal, path: Path) -> list[str]:
         if name not in reader.independent:
             reader.of_derived(name, at)
         elif name not in lengths:
-            reader.wrong("tolerance.not-a-length", at, name=name)
+            reader.note_fault("tolerance.not-a-length", at, name=name)
     return [name for name in dict.fromkeys(entry.parameters) if name in lengths]

@@ -50,14 +50,14 @@ class ToleranceReader:
         self.tolerances = {name: full_tolerance(p.tolerance) for name, p in compiled.mechanism.parameters.items()}
         self.independent = [name for name in self.tolerances if not derived(self.quantities, name)]
 
-    def wrong(self, code: str, path: Path, **data: Any) -> None:
+    def note_fault(self, code: str, path: Path, **data: Any) -> None:
         """Note a finding."""
         self.findings.append(Finding(code, path, data))
 
     def of_derived(self, name: str, path: Path) -> None:
         """Note that a parameter follows from others."""
         text = self.quantities.mechanism.parameters[name].value.text[:60]
-        self.wrong("tolerance.derived", path, name=name, text=text)
+        self.note_fault("tolerance.derived", path, name=name, text=text)
 
     def value(self, expression: Expression, dimension: Dimension, path: Path) -> float | None:
         """The value of an expression of the study, ``None`` with a finding where it has none."""
@@ -75,11 +75,11 @@ class ToleranceReader:
         if entry.sigma is not None:
             sigma = self.value(entry.sigma, dimension, (*path, "sigma"))
             if sigma is not None and sigma <= 0:
-                self.wrong("study.sigma", (*path, "sigma"), sigma=entry.sigma.text[:40])
+                self.note_fault("study.sigma", (*path, "sigma"), sigma=entry.sigma.text[:40])
                 sigma = None
         else:
             cp = self.options.cp if entry.cp is None else self.value(entry.cp, u.PURE, (*path, "cp"))
             if entry.cp is not None and cp is not None and cp <= 0:
-                self.wrong("tolerance.cp", (*path, "cp"), cp=entry.cp.text[:40])
+                self.note_fault("tolerance.cp", (*path, "cp"), cp=entry.cp.text[:40])
             sigma = (limits[1] - limits[0]) / (6 * cp) if cp is not None and cp > 0 else None
         return None if sigma is None else (DISTRIBUTIONS[name].make(*limits, sigma), name)

@@ -32,7 +32,7 @@ def toleranced(reader: ToleranceReader, name: str) -> Moving | None:
     if limits is not None and dimension in (u.LENGTH, u.MASS) and 0 < abs(nominal) <= max(map(abs, limits)):
         unit, size = reader.quantities.unit_of(dimension)
         data = {"limit": f"{max(limits, key=abs) / size:.6g}", "nominal": f"{nominal / size:.6g}", "unit": unit}
-        reader.wrong("tolerance.too-large", path, **data)
+        reader.note_fault("tolerance.too-large", path, **data)
     if limits is None or spread is None:
         return None
     return Moving(name, nominal, limits, *spread, dimension, _text(stated), (name,), np.ones(1))
@@ -47,7 +47,7 @@ def _of_numbers(reader: ToleranceReader, name: str, stated: Numbers, path: Path)
         low = -high
     if low < high:
         return low, high
-    reader.wrong("tolerance.limits", path, given=_text(stated)[:60])
+    reader.note_fault("tolerance.limits", path, given=_text(stated)[:60])
     return None
 
 
@@ -62,19 +62,19 @@ def _of_class(reader: ToleranceReader, name: str, stated: ClassName, path: Path)
             raise NoTolerance("angle")
         if side is None:
             found.angular(1.0)  # none at all where the class has none of angles
-            reader.wrong("tolerance.side", path, given=found.text)
+            reader.note_fault("tolerance.side", path, given=found.text)
             return None
         if (length := q.value(side, u.LENGTH)) <= 0:
             data = {"what": Term("side"), "value": f"{length / size:.6g}", "unit": unit}
-            reader.wrong("value.too-small", (*path, "side"), **data)
+            reader.note_fault("value.too-small", (*path, "side"), **data)
             return None
         return found.angular(length)
     except NoTolerance as error:
         if error.reason == "size":
             ends = {end: f"{error.data[end] / size:g}" for end in ("low", "high")}
-            reader.wrong("tolerance.size", path, given=found.text, asked=f"{asked / size:.6g}", unit=unit, **ends)
+            reader.note_fault("tolerance.size", path, given=found.text, asked=f"{asked / size:.6g}", unit=unit, **ends)
         else:
-            reader.wrong("tolerance.class-dimension", path, given=found.text, name=name)
+            reader.note_fault("tolerance.class-dimension", path, given=found.text, name=name)
         return None
 
 

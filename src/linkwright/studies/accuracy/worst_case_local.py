@@ -98,7 +98,7 @@ class DeviationBox:
             if not alive:
                 break
             tried = [np.where((eye, pairs)[flips[k]], 1 - climbs[k].at[:, None], climbs[k].at[:, None]) for k in alive]
-            better = self.moved([climbs[k] for k in alive], tried)
+            better = self.move_searches([climbs[k] for k in alive], tried)
             for k, helped in zip(alive, better, strict=True):
                 flips[k] = 0 if helped else flips[k] + 1
             alive = [k for k in alive if flips[k] < 2]
@@ -122,16 +122,16 @@ class DeviationBox:
                 moves = (places - at[:, None]) * (gain > 0)
                 slope = moves * (gain / max(float(gain.max()), 1e-300))
                 along.append(np.clip(at[:, None] + np.stack([moves.sum(axis=1), slope.sum(axis=1)], axis=1), 0, 1))
-                self.take(one, places, values)
+                self.move_to_best(one, places, values)
             for one, (_, value), places, values in zip(climbs, before, along, self.rows(climbs, along), strict=True):
-                self.take(one, places, values)
+                self.move_to_best(one, places, values)
                 if not one.value > value:
                     one.step /= 4
 
-    def moved(self, climbs: Sequence[Climb], tried: Sequence[Array]) -> list[bool]:
+    def move_searches(self, climbs: Sequence[Climb], tried: Sequence[Array]) -> list[bool]:
         """Whether each search is helped by one of the places that it tries; it goes to the best."""
         found = zip(climbs, tried, self.rows(climbs, tried), strict=True)
-        return [self.take(one, places, values) for one, places, values in found]
+        return [self.move_to_best(one, places, values) for one, places, values in found]
 
     def rows(self, climbs: Sequence[Climb], tried: Sequence[Array]) -> list[Array]:
         """What each search wants to be large, at the places that it tries; all are evaluated together."""
@@ -140,7 +140,7 @@ class DeviationBox:
         cut = {name: np.split(row, ends[:-1]) for name, row in found.items()}
         return [self.value(one.extreme, cut[one.extreme.name][k]) for k, one in enumerate(climbs)]
 
-    def take(self, climb: Climb, places: Array, values: Array) -> bool:
+    def move_to_best(self, climb: Climb, places: Array, values: Array) -> bool:
         """Go to the best of some places if it's better."""
         k = int(values.argmax()) if values.size else -1
         if k < 0 or not values[k] > climb.value:

@@ -46,7 +46,7 @@ def evaluating(
     figures = SampleFigures(run, varied, measures, kernel)
 
     def evaluate(deviations: Array) -> dict[str, Array]:
-        rows, _ = figures.of(varied.parameters(shift.values(deviations)))
+        rows, _ = figures.evaluate(varied.parameters(shift.values(deviations)))
         return dict(zip((column.name for column in figures.columns), rows, strict=True))
 
     return evaluate
@@ -59,7 +59,7 @@ def search(
     these is off by more than ``share`` of the linear width."""
     if not figures or not len(contributors):
         return {}
-    return _VertexSearch(evaluate, contributors, figures).found(share)
+    return _VertexSearch(evaluate, contributors, figures).worst_cases(share)
 
 
 def check_searched(found: Mapping[str, SearchedWorstCase]) -> Iterator[Finding]:
@@ -79,7 +79,7 @@ class _VertexSearch:
         self.nominal = np.zeros(low.size)  # the place, or what comes next to it
         self.nominal[self.free] = np.clip(-low[self.free] / width[self.free], 0, 1)
 
-    def found(self, share: float) -> dict[str, SearchedWorstCase]:
+    def worst_cases(self, share: float) -> dict[str, SearchedWorstCase]:
         """The worst case of each figure."""
         # Step 1: the two vertices of each figure that the linear coefficients name, and all neighbours that differ in
         # one coordinate, in one batch.

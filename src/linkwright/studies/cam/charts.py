@@ -91,7 +91,7 @@ def _curvatures(outcome: CamOutcome) -> Iterator[Chart]:
     unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
     per = f"1/{unit}"
     for name, own, check in (("pitch", False, "pitch_radius"), ("profile", True, "profile_radius")):
-        plates = [plate for plate in outcome.plates if (plate.made if own else plate.disc.follower.radius)]
+        plates = [plate for plate in outcome.plates if (plate.has_profile if own else plate.disc.follower.radius)]
         if not plates:
             continue
         limits = {size / c.limit for plate in plates for c in plate.checks if c.name == check and c.limit}

@@ -19,11 +19,11 @@ CLOSINGS: dict[str, Callable[[Compiled, str, Disc], Closing | None]] = {
 """By the word of the file; ``None`` for a force."""
 
 
-def held(compiled: Compiled, name: str) -> tuple[Disc, Closing | None]:
+def cam_and_closing(compiled: Compiled, name: str) -> tuple[Disc, Closing | None]:
     """A cam and what keeps its follower on, made once: the check of a study and its run look for the same extremes."""
 
-    def made() -> tuple[Disc, Closing | None]:
+    def make_disc() -> tuple[Disc, Closing | None]:
         disc = disc_of(compiled, name)
         return disc, CLOSINGS[compiled.mechanism.cams[name].closed](compiled, name, disc)
 
-    return compiled.cached((held, name), made)
+    return compiled.cached((cam_and_closing, name), make_disc)

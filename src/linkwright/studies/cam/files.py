@@ -50,26 +50,26 @@ def _columns(outcome: CamOutcome, plate: Plate) -> Iterator[tuple[str, Array]]:
     yield head("theta", angle), plate.theta / deg
     yield head("lift", lift), np.broadcast_to(look.lift.d[0], count) / size
     if radius:
-        x, y = plate.placed(look.offset(0.0)) / mm
+        x, y = plate.points_along_link(look.offset(0.0)) / mm
         yield head("pitch x", length), x
         yield head("pitch y", length), y
-    if plate.made:
-        x, y = plate.placed(look.offset(-radius)) / mm
+    if plate.has_profile:
+        x, y = plate.points_along_link(look.offset(-radius)) / mm
         yield head("profile x", length), x
         yield head("profile y", length), y
-    x, y = plate.placed(look.offset(1.0) - look.offset(0.0))
+    x, y = plate.points_along_link(look.offset(1.0) - look.offset(0.0))
     yield "normal x", x
     yield "normal y", y
     if radius:
         yield head("pitch radius", length), look.radius() / mm
-    if plate.made:
+    if plate.has_profile:
         yield head("profile radius", length), look.radius(-radius) / mm
     yield head("pressure angle", angle), np.broadcast_to(look.pressure.d[0], count) / deg
 
 
 def cam_dxf(outcome: CamOutcome) -> str | None:
     """The drawing in mm, of both discs where there are two; nothing where ezdxf isn't installed."""
-    made = [plate for plate in outcome.plates if plate.made]
+    made = [plate for plate in outcome.plates if plate.has_profile]
     if not made or find_spec("ezdxf") is None:
         return None
     blank = outcome.stated.blank

@@ -33,13 +33,13 @@ def press(outcome: CamOutcome) -> None:
         if error.key == "cam.undercut":
             return  # of a groove's outer flank, which its check tells
         theta = error.data.get("theta")
-        data = {} if theta is None else {"theta": _told(outcome, theta, u.ANGLE)}
+        data = {} if theta is None else {"theta": _value_text(outcome, theta, u.ANGLE)}
         outcome.failures.append(Finding(error.key, ("cams", outcome.name), data))
         return
     outcome.pressed, outcome.force_checks = done, list(done.checks())
     if done.short:
         outcome.failures.append(_lifts(outcome))
-    outcome.failures += [_over(outcome, check) for check in outcome.force_checks if not check.kept]
+    outcome.failures += [_over(outcome, check) for check in outcome.force_checks if not check.passed]
 
 
 def _lifts(outcome: CamOutcome) -> Finding:
@@ -49,13 +49,13 @@ def _lifts(outcome: CamOutcome) -> Finding:
     figures, least, need = of_forces(outcome.disc.follower.turns), done.least, done.preload
     rate = Term("no-rate")
     if done.rate is not None:
-        rate = Term("or-rate", rate=_told(outcome, UP * done.rate.value, figures["spring_rate_min"]))
+        rate = Term("or-rate", rate=_value_text(outcome, UP * done.rate.value, figures["spring_rate_min"]))
     data = {
-        "force": _told(outcome, least.value, u.FORCE),
-        "theta": _told(outcome, least.theta, u.ANGLE),
-        "speed": _told(outcome, need.omega, u.OMEGA),
-        "least": _told(outcome, done.asked.contact, u.FORCE),
-        "preload": _told(outcome, UP * need.value, figures["spring_preload_min"]),
+        "force": _value_text(outcome, least.value, u.FORCE),
+        "theta": _value_text(outcome, least.theta, u.ANGLE),
+        "speed": _value_text(outcome, need.omega, u.OMEGA),
+        "least": _value_text(outcome, done.asked.contact, u.FORCE),
+        "preload": _value_text(outcome, UP * need.value, figures["spring_preload_min"]),
         "rate": rate,
     }
     return Finding("cam.spring", AT, data)
@@ -65,16 +65,16 @@ def _over(outcome: CamOutcome, check: CamCheck) -> Finding:
     """A limit that isn't kept."""
     assert check.limit is not None
     dimension = MEASURES[check.name]
-    value, limit = (_told(outcome, one, dimension) for one in (check.value, check.limit))
-    theta = _told(outcome, check.theta, u.ANGLE)
+    value, limit = (_value_text(outcome, one, dimension) for one in (check.value, check.limit))
+    theta = _value_text(outcome, check.theta, u.ANGLE)
     asked = outcome.stated.forces
     if check.name == "hertz_pressure" and asked is not None and asked.width is not None:
-        width = _told(outcome, UP * asked.width * (check.value / check.limit) ** 2, u.LENGTH)
+        width = _value_text(outcome, UP * asked.width * (check.value / check.limit) ** 2, u.LENGTH)
         data = {"value": value, "limit": limit, "theta": theta, "width": width}
         return Finding("cam.hertz", (*AT, "limits", "hertz"), data)
     return Finding("cam.torque", (*AT, "limits", "torque"), {"value": value, "limit": limit, "theta": theta})
 
 
-def _told(outcome: CamOutcome, value: float, dimension: u.Dimension) -> str:
+def _value_text(outcome: CamOutcome, value: float, dimension: u.Dimension) -> str:
     unit, size = outcome.compiled.quantities.unit_of(dimension)
     return f"{value / size:.6g} {unit}"

@@ -93,12 +93,12 @@ def read(
         materials[1],
         None if limits.hertz is None else number("forces", "limits", "hertz"),
         None if limits.torque is None else number("forces", "limits", "torque"),
-        sprung="spring_preload_min" in given(compiled, name, disc, o),
+        sprung="spring_preload_min" in available_figures(compiled, name, disc, o),
     )
     return asked, found
 
 
-def given(compiled: Compiled, name: str, disc: Disc, o: CamForces | None) -> set[str]:
+def available_figures(compiled: Compiled, name: str, disc: Disc, o: CamForces | None) -> set[str]:
     """Those that the options give."""
     if o is None:
         return set()

@@ -60,7 +60,7 @@ class Pressed:
         return max((one.highest for one in self.pressures), key=lambda one: one.value, default=None)
 
     @property
-    def apart(self) -> bool:
+    def has_second_contact(self) -> bool:
         """Whether the second side has a contact of its own: a second roller, edge or face."""
         return self.asked.second is not None and self.asked.second.flank < 0
 
@@ -73,7 +73,7 @@ class Pressed:
         if second:
             assert f.second is not None
             sides = [f.second]
-        elif f.second is not None and not self.apart:
+        elif f.second is not None and not self.has_second_contact:
             bear = {part.side for part in f.bearing}
             sides = [side for side, sign in ((f.first, 1), (f.second, -1)) if sign in bear] or sides
         found = [one for side in sides for one in rolling(side, f.omega, f.theta).spin_range]
@@ -96,14 +96,14 @@ class Pressed:
     def figures(self) -> Iterator[tuple[str, CamExtreme]]:
         """By name, SI; infinite where there is no bound."""
         low, high = self.forces.contact_range
-        yield "contact_force_min", replace(low, value=max(low.value, 0.0)) if self.apart else low
+        yield "contact_force_min", replace(low, value=max(low.value, 0.0)) if self.has_second_contact else low
         yield "contact_force_max", high
         yield "shaft_torque_max", CamExtreme(abs(self.torque.value), self.torque.theta)
         if self.hertz is not None:
-            yield "hertz_pressure_max", self.pressures[0].highest if self.apart else self.hertz
+            yield "hertz_pressure_max", self.pressures[0].highest if self.has_second_contact else self.hertz
         if (spin := self.spin()) is not None:
             yield "roller_speed_max", spin
-        if self.apart:
+        if self.has_second_contact:
             yield from self._second()
         if self.preload is not None:
             at = self.preload.theta

@@ -48,24 +48,26 @@ def force_sentences(outcome: CamOutcome) -> Iterator[Text]:
         return
     _, rate, load = along_lift(outcome.disc.follower.turns)
 
-    def told(value: float, dimension: u.Dimension) -> str:
+    def value_text(value: float, dimension: u.Dimension) -> str:
         unit, size = outcome.compiled.quantities.unit_of(dimension)
         return str(NumberCell(value / size, 6, unit))
 
     figures = dict(done.figures())
-    low, high = (told(figures[f"contact_force_{end}"].value, u.FORCE) for end in ("min", "max"))
-    least, most = (told(one.value, u.TORQUE) for one in done.forces.torque_range)
-    data = {"speed": told(done.asked.omega, u.OMEGA), "low": low, "high": high, "least": least, "most": most}
+    low, high = (value_text(figures[f"contact_force_{end}"].value, u.FORCE) for end in ("min", "max"))
+    least, most = (value_text(one.value, u.TORQUE) for one in done.forces.torque_range)
+    data = {"speed": value_text(done.asked.omega, u.OMEGA), "low": low, "high": high, "least": least, "most": most}
     yield Said("cam.sentence.forces", **data)
     if done.loads.rate or done.loads.preload:
         key = "sized" if None in (done.asked.rate, done.asked.preload) else "spring"
-        yield Said(f"cam.sentence.{key}", rate=told(done.loads.rate, rate), preload=told(done.loads.preload, load))
+        yield Said(
+            f"cam.sentence.{key}", rate=value_text(done.loads.rate, rate), preload=value_text(done.loads.preload, load)
+        )
     if done.asked.second is not None:
-        places = ", ".join(told(place, u.ANGLE) for place in done.forces.reversals)
-        if done.apart:
+        places = ", ".join(value_text(place, u.ANGLE) for place in done.forces.reversals)
+        if done.has_second_contact:
             force = figures["second_contact_force_max"].value
             alone = "apart-other" if force > 0 else "apart-one"
-            yield Said(f"cam.sentence.{'apart' if places else alone}", places=places, most=told(force, u.FORCE))
+            yield Said(f"cam.sentence.{'apart' if places else alone}", places=places, most=value_text(force, u.FORCE))
         else:
             yield Said("cam.sentence.groove", places=places) if places else Said("cam.sentence.one-flank")
 

@@ -100,7 +100,7 @@ def notes(job: MillingJob) -> list[str]:
     return [f"CUTTER R{job.cutter:g} MM", "XY ZERO AT THE CAM'S CENTRE", "Z ZERO AT THE TOP"]
 
 
-def seen(frame: Frame) -> list[str]:
+def axis_comments(frame: Frame) -> list[str]:
     """How the machine's axes lie in the cam: those of the disc, which the link's are turned or mirrored against."""
     turned = math.degrees(frame.angle) % 360
     told = [f"X AXIS AT {turned:.6g} DEG OF THE CAM'S LINK"] if min(turned, 360 - turned) > 1e-9 else []

@@ -65,9 +65,9 @@ class CamOutcome:
         return self.first.disc
 
     @property
-    def made(self) -> bool:
+    def has_profile(self) -> bool:
         """Whether the first disc has a profile."""
-        return self.first.made
+        return self.first.has_profile
 
     @property
     def area(self) -> float:

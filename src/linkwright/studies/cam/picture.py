@@ -62,7 +62,7 @@ def picture(outcome: CamOutcome, turning: bool = True) -> str:
     follower = first.disc.follower
     discs = [(plate, flipped(plate.look.offset(-plate.disc.follower.radius), plate.second)) for plate in outcome.plates]
     outer = [first.look.offset(follower.radius)] if first.outer else []
-    curves = [*outer, *(curve for plate, curve in discs if plate.made)]
+    curves = [*outer, *(curve for plate, curve in discs if plate.has_profile)]
     curves += [flipped(p.look.offset(0.0), p.second) for p, _ in discs]
     far = max(float(np.hypot(*curve).max()) for curve in curves)
     pivot = (getattr(follower, "distance", 0.0), 0.0)
@@ -75,13 +75,13 @@ def picture(outcome: CamOutcome, turning: bool = True) -> str:
     )
 
     def path(curve: Array) -> str:
-        return points(*plane.at(*(curve / size)))
+        return points(*plane.to_picture(*(curve / size)))
 
-    ox, oy = (float(v) for v in plane.at(np.array(0.0), np.array(0.0)))
+    ox, oy = (float(v) for v in plane.to_picture(np.array(0.0), np.array(0.0)))
     scale = plane.scale / size
     cam = [f'<circle class="base" cx="{ox:.2f}" cy="{oy:.2f}" r="{follower.base * scale:.2f}"/>']
     for plate, curve in reversed(discs):
-        if plate.made:
+        if plate.has_profile:
             kind = "profile second" if plate.second else "profile"
             cam.append(f'<polygon class="{kind}" points="{path(curve)}"/>')
         if plate.disc.follower.radius:
@@ -89,16 +89,18 @@ def picture(outcome: CamOutcome, turning: bool = True) -> str:
     cam += [f'<polygon class="flank" points="{path(curve)}"/>' for curve in outer]
     worst = next((f for f in outcome.figures if f.name == "profile_curvature_max"), None)
     if worst is not None:
-        (x,), (y,) = plane.at(*(first.disc.look(np.array([worst.theta])).offset(-follower.radius) / size))
+        (x,), (y,) = plane.to_picture(*(first.disc.look(np.array([worst.theta])).offset(-follower.radius) / size))
         cam.append(f'<circle class="worst" cx="{x:.2f}" cy="{y:.2f}" r="3"/>')
     turned = _spin(f"{-first.disc.sense * 360} {ox:.2f} {oy:.2f}", f"0 {ox:.2f} {oy:.2f}") if turning else ""
     rider, moved = _follower(outcome, plane, size, rides, pivot)
-    kinds = ["base", *(["profile"] if outcome.made else []), *(["flank"] if outer else [])]
-    kinds += ["second"] if outcome.second is not None and outcome.second.made else []
+    kinds = ["base", *(["profile"] if outcome.has_profile else []), *(["flank"] if outer else [])]
+    kinds += ["second"] if outcome.second is not None and outcome.second.has_profile else []
     kinds += [*(["pitch"] if follower.radius else []), "follower", *(["worst"] if worst else [])]
     legend: list[tuple[str, Text]] = [(kind, Said(f"cam.kind.{kind}")) for kind in kinds]
     body = f'<g id="camPicture"><g>{"".join(cam)}{turned}</g><g>{rider}{moved if turning else ""}</g></g>'
-    return drawn(plane, body, legend, Said("cam.picture.turning" if turning else "cam.picture", name=outcome.name))
+    return picture_svg(
+        plane, body, legend, Said("cam.picture.turning" if turning else "cam.picture", name=outcome.name)
+    )
 
 
 def flipped(points: Array, second: bool) -> Array:
@@ -118,7 +120,7 @@ class ContactPicture:
 
 def contacts(outcome: CamOutcome) -> list[ContactPicture]:
     """Those of the follower: on the first disc, on the second, or opposite in a yoke as wide as the disc needs."""
-    made = [_ride(plate.look, plate.disc.follower.radius, plate.second) for plate in outcome.plates]
+    made = [_contact_picture(plate.look, plate.disc.follower.radius, plate.second) for plate in outcome.plates]
     span = {} if outcome.closing is None else outcome.closing.figures
     if "yoke_span_max" in span:
         (ride,) = made
@@ -128,7 +130,7 @@ def contacts(outcome: CamOutcome) -> list[ContactPicture]:
     return made
 
 
-def _ride(look: DiscJets, roller: float, second: bool) -> ContactPicture:
+def _contact_picture(look: DiscJets, roller: float, second: bool) -> ContactPicture:
     centre, normal = (
         flipped(np.array([np.broadcast_to(c.d[0], look.theta.shape) for c in of]), second)
         for of in (look.centre, look.along)
@@ -141,24 +143,24 @@ def _follower(
 ) -> tuple[str, str]:
     """The follower at the cam angle 0, and how it moves."""
     look, follower, scale = outcome.first.look, outcome.disc.follower, plane.scale / size
-    px, py = (float(v) for v in plane.at(np.array(pivot[0] / size), np.array(pivot[1] / size)))
+    px, py = (float(v) for v in plane.to_picture(np.array(pivot[0] / size), np.array(pivot[1] / size)))
     lift = np.broadcast_to(look.lift.d[0], look.theta.shape)
     some = np.linspace(0, lift.size - 1, FRAMES + 1).round().astype(int)
     if follower.turns:
         values = ";".join(f"{math.degrees(v):.3f} {px:.2f} {py:.2f}" for v in (lift[some] - lift[0]))
-        moved = _moved("rotate", values)
+        moved = _animation("rotate", values)
     else:
         values = ";".join(f"0 {-scale * v:.3f}" for v in (lift[some] - lift[0]))
-        moved = _moved("translate", values)
+        moved = _animation("translate", values)
     shapes, circles = [], []
-    places = [tuple(float(v) for v in plane.at(*(ride.centre[:, 0] / size))) for ride in rides]
+    places = [tuple(float(v) for v in plane.to_picture(*(ride.centre[:, 0] / size))) for ride in rides]
     for ride, (cx, cy) in zip(rides, places, strict=True):
         if follower.faced and follower.turns:
             normal = np.array(ride.normal)
             foot = np.array(pivot) + (ride.centre[:, 0] - pivot) @ normal * normal
             along = ride.centre[:, 0] - foot
             end = ride.centre[:, 0] + 0.5 * follower.base * along / np.hypot(*along)
-            (fx, fy), (ex, ey) = (tuple(float(v) for v in plane.at(*(place / size))) for place in (foot, end))
+            (fx, fy), (ex, ey) = (tuple(float(v) for v in plane.to_picture(*(place / size))) for place in (foot, end))
             shapes.append(f"M{px:.2f} {py:.2f}L{fx:.2f} {fy:.2f}L{ex:.2f} {ey:.2f}")
         elif follower.faced:
             tx, ty = -ride.normal[1], ride.normal[0]
@@ -171,7 +173,7 @@ def _follower(
     if not follower.turns:
         if not follower.faced:
             shapes.append(f"M{places[0][0]:.2f} {places[0][1]:.2f}V{TOP:.2f}")
-        shapes += [_joined(places)] if len(places) > 1 else []
+        shapes += [_contact_line(places)] if len(places) > 1 else []
     else:
         circles.append((px, py, 4.0))
     body = f'<path class="follower" d="{"".join(shapes)}"/>'
@@ -179,17 +181,17 @@ def _follower(
     return body, moved
 
 
-def _joined(places: Sequence[tuple[float, ...]]) -> str:
+def _contact_line(places: Sequence[tuple[float, ...]]) -> str:
     """What a sliding follower's two contacts have between them: a line."""
     (ax, ay), (bx, by) = places
     return f"M{ax:.2f} {ay:.2f}L{bx:.2f} {by:.2f}"
 
 
 def _spin(to: str, start: str) -> str:
-    return _moved("rotate", f"{start};{to}")
+    return _animation("rotate", f"{start};{to}")
 
 
-def _moved(kind: str, values: str) -> str:
+def _animation(kind: str, values: str) -> str:
     return (
         f'<animateTransform attributeName="transform" type="{kind}" values="{values}" dur="{SECONDS}s" '
         f'begin="camPicture.click" repeatCount="2"/>'
@@ -210,14 +212,17 @@ def tool_path(outcome: CamOutcome, plate: Plate) -> str:
     low, high = every.min(axis=1) / size, every.max(axis=1) / size
     plane = PicturePlane((low[0], low[1], high[0], high[1]), outcome.compiled.quantities.unit_of(u.LENGTH)[0])
     shapes = "".join(
-        f'<polygon class="{kind}" points="{points(*plane.at(*(curve / size)))}"/>' for kind, curve in curves.items()
+        f'<polygon class="{kind}" points="{points(*plane.to_picture(*(curve / size)))}"/>'
+        for kind, curve in curves.items()
     )
-    shapes += "".join(f'<polyline class="tool" points="{points(*plane.at(*(line / size)))}"/>' for line in lines)
+    shapes += "".join(
+        f'<polyline class="tool" points="{points(*plane.to_picture(*(line / size)))}"/>' for line in lines
+    )
     legend: list[tuple[str, Text]] = [(kind, Said(f"cam.kind.{kind}")) for kind in (*curves, "tool")]
-    return drawn(plane, shapes, legend, Said("cam.chart.tool"))
+    return picture_svg(plane, shapes, legend, Said("cam.chart.tool"))
 
 
-def drawn(plane: PicturePlane, shapes: str, legend: Sequence[tuple[str, Text]], title: Text) -> str:
+def picture_svg(plane: PicturePlane, shapes: str, legend: Sequence[tuple[str, Text]], title: Text) -> str:
     """The whole picture with its legend below."""
     top = plane.bottom + 44.0
     rows = "".join(

@@ -55,7 +55,7 @@ class Plate:
     milled: list[Milled] = field(default_factory=list)
 
     @property
-    def made(self) -> bool:
+    def has_profile(self) -> bool:
         """Whether there is a profile."""
         return math.isfinite(self.area)
 
@@ -63,7 +63,7 @@ class Plate:
     def volume(self) -> float | None:
         """Of the solid (m3), from the exact area."""
         blank = self.stated.blank
-        if blank is None or not self.made or (blank.groove and self.outer_area is None):
+        if blank is None or not self.has_profile or (blank.groove and self.outer_area is None):
             return None
         return 1e-9 * blank.volume(1e6 * self.area, None if self.outer_area is None else 1e6 * self.outer_area)
 
@@ -72,37 +72,42 @@ class Plate:
         """What names of its figures begin with."""
         return SECOND if self.second else ""
 
-    def of(self, what: Term) -> Term:
+    def term_for(self, what: Term) -> Term:
         """Something of it, in words."""
         return Term("of-second", what=what) if self.second else what
 
-    def placed(self, points: Array) -> Array:
+    def points_along_link(self, points: Array) -> Array:
         """Points of the disc (2, ...) about its centre, in directions of the link's axes."""
         return replace(self.frame, origin=(0.0, 0.0)).placed(points)
 
     @cached_property
     def contour(self) -> list[Element]:
         """The contour about the centre in directions of the link's axes, counter-clockwise; mm."""
-        return self._put(self.elements)
+        return self._turn_elements(self.elements)
 
     @cached_property
     def flank(self) -> list[Element]:
         """Likewise the outer flank of a groove; empty where the roller doesn't run in one."""
-        return self._put(self.outer)
+        return self._turn_elements(self.outer)
 
     @property
     def splines(self) -> list[list[Spline]]:
         """The profile, then the outer flank of a groove, as splines about the centre in directions of the link's axes;
         empty unless asked for."""
-        return [[replace(one, points=self.placed(one.points)) for one in curve] for curve in self.curves]
+        return [[replace(one, points=self.points_along_link(one.points)) for one in curve] for curve in self.curves]
 
-    def _put(self, elements: list[Element]) -> list[Element]:
-        def put(place: tuple[float, float]) -> tuple[float, float]:
-            x, y = self.placed(np.array(place)).tolist()
+    def _turn_elements(self, elements: list[Element]) -> list[Element]:
+        def turn_place(place: tuple[float, float]) -> tuple[float, float]:
+            x, y = self.points_along_link(np.array(place)).tolist()
             return x, y
 
         made = [
-            replace(e, start=put(e.start), end=put(e.end), centre=None if e.centre is None else put(e.centre))
+            replace(
+                e,
+                start=turn_place(e.start),
+                end=turn_place(e.end),
+                centre=None if e.centre is None else turn_place(e.centre),
+            )
             for e in elements
         ]
         if self.frame.mirror > 0:

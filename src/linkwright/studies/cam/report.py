@@ -60,7 +60,7 @@ def _plate(outcome: CamOutcome, plate: Plate) -> dict[str, Any]:
     if outcome.stated.base is not None:
         least = plate.smallest
         entry["size"] = {"base": None if least is None else least / size, "unit": length}
-    if plate.made:
+    if plate.has_profile:
         entry["contour"] = {
             "elements": len(plate.elements),
             "tolerance": plate.stated.tolerance / size,
@@ -84,7 +84,7 @@ def _check(outcome: CamOutcome, check: CamCheck) -> dict[str, Any]:
         "margin": None if check.margin is None else check.margin / size,
         "unit": unit,
         "angle_unit": angle,
-        "kept": check.kept,
+        "kept": check.passed,
     }
 
 
@@ -121,7 +121,7 @@ def cam_sentences(outcome: CamOutcome) -> list[Text]:
     length, size = outcome.compiled.quantities.unit_of(u.LENGTH)
     told = list[Text]()
     for plate in outcome.plates:
-        key = ("cam.sentence" if plate.made else "cam.sentence.none") + ("-second" if plate.second else "")
+        key = ("cam.sentence" if plate.has_profile else "cam.sentence.none") + ("-second" if plate.second else "")
         within = outcome.options.tolerance.text
         told.append(Said(key, name=outcome.name, elements=len(plate.elements), tolerance=within))
         if plate.smallest is not None:
@@ -150,9 +150,9 @@ def cam_tables(outcome: CamOutcome, entry: dict[str, Any]) -> list[Table]:
     ]
     checks, made, parts = list[list[Cell]](), list[list[Cell]](), list[list[Cell]]()
     for one, second in [(entry, False), *([(entry["second"], True)] if outcome.second else [])]:
-        checks += [_of(second, _check_row(check)) for check in one["checks"]]
-        made += [_of(second, _nc_row(post, m)) for post, m in one["nc"].items() if "lift_error" in m]
-        parts += [_of(second, row) for row in _parts(one)]
+        checks += [_disc_row(second, _check_row(check)) for check in one["checks"]]
+        made += [_disc_row(second, _nc_row(post, m)) for post, m in one["nc"].items() if "lift_error" in m]
+        parts += [_disc_row(second, row) for row in _parts(one)]
     play = ("play",) if any("play_mm" in m for m in entry["nc"].values()) else ()
     columns = ("post", "error", "tolerance", "unit", "velocity", "gouge", "rest", *play, "time", "lines", "written")
     return [
@@ -163,7 +163,7 @@ def cam_tables(outcome: CamOutcome, entry: dict[str, Any]) -> list[Table]:
     ]
 
 
-def _of(second: bool, row: list[Cell]) -> list[Cell]:
+def _disc_row(second: bool, row: list[Cell]) -> list[Cell]:
     """A row of which the first cell says that it is the second disc's."""
     name, *others = row
     assert isinstance(name, Text)

@@ -20,7 +20,7 @@ from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.model.walk import QuantityPlace, sites
 from linkwright.studies.cam.figures import FIGURES, OF_FACE, OF_ROLLER, SECOND, Range, closed_by, every, of_forces
-from linkwright.studies.cam.force_numbers import FollowerForces, given, read
+from linkwright.studies.cam.force_numbers import FollowerForces, available_figures, read
 from linkwright.studies.cam.milled_discs import as_finding
 from linkwright.studies.cam.options import PATH, CamOptions
 from linkwright.studies.numbers import constant
@@ -91,13 +91,13 @@ class DimensionReader:
 
     def _play(self) -> float | None:
         play = self.options.limits.play
-        if play is not None and self.closed != "yoke":
+        if play is not None and self.closure != "yoke":
             data = {"keys": "limits: play, closed: yoke"}
             self.findings.append(Finding("cam.together", (*PATH, "limits", "play"), data))
         return None if play is None else self._number("limits", "play")
 
     @property
-    def closed(self) -> str:
+    def closure(self) -> str:
         """What keeps the follower on, as the file says."""
         return self.compiled.mechanism.cams[self.name].closed
 
@@ -135,7 +135,7 @@ class DimensionReader:
             self._maybe("limits", "pitch_over_roller"),
             self._maybe("limits", "profile_radius"),
             cutter if stated is None else stated,
-            groove=self.closed == "groove",
+            groove=self.closure == "groove",
         )
 
     def _range(self, *path: str) -> Range:
@@ -169,8 +169,8 @@ class DimensionReader:
             self.findings.append(Finding("cam.keyway", (*PATH, "blank", "key_width")))
         elif made.hub and made.hub <= made.bore + made.key_depth:
             self.findings.append(Finding("cam.hub", (*PATH, "blank", "hub")))
-        if (self.closed == "groove") != ("groove" in stated):
-            self.findings.append(Finding("cam.groove-blank", (*PATH, "blank"), {"closed": self.closed}))
+        if (self.closure == "groove") != ("groove" in stated):
+            self.findings.append(Finding("cam.groove-blank", (*PATH, "blank"), {"closed": self.closure}))
         elif made.groove >= made.thickness:
             self.findings.append(Finding("cam.groove-deep", (*PATH, "blank", "groove")))
         return made
@@ -230,8 +230,8 @@ class DimensionReader:
         made = []
         turns = self.disc.follower.turns
         figures = every(turns) | of_forces(turns)
-        there = FIGURES.keys() | closed_by(self.closed, turns)
-        there |= given(self.compiled, self.name, self.disc, self.options.forces)
+        there = FIGURES.keys() | closed_by(self.closure, turns)
+        there |= available_figures(self.compiled, self.name, self.disc, self.options.forces)
         absent = OF_ROLLER if self.disc.follower.faced else OF_FACE
         there -= absent | {SECOND + name for name in absent}
         for name, requirement in self.options.require.items():

@@ -133,13 +133,13 @@ class _LoadReader:
             def named(name: Name) -> Any:
                 return given[name.text] if name.text in given else parameters[name.text]
 
-            def called(call: Call) -> Jet:
-                asked = evaluate(call.args[0], named, called)
+            def evaluate_call(call: Call) -> Jet:
+                asked = evaluate(call.args[0], named, evaluate_call)
                 x = asked if isinstance(asked, Jet) else Jet.constant(asked, angle.order)
                 return motions[call.name].on(x) if call.name in motions else tables[call.name].or_nan(x)
 
             with np.errstate(all="ignore"):
-                value = evaluate(node, named, called)
+                value = evaluate(node, named, evaluate_call)
             return value if isinstance(value, Jet) else Jet.constant(value, angle.order)
 
         return function
@@ -159,7 +159,7 @@ class _LoadReader:
             unit, size = self._unit(self.compiled.quantities.dimensions.of(argument(name)))
             told = {"at": found[worst].value, "low": low, "high": high}
             data = {key: f"{value / size:.6g}" for key, value in told.items()}
-            raise self._wrong("cam.load-outside", found[worst].theta, table=name, of=unit, **data)
+            raise self._error("cam.load-outside", found[worst].theta, table=name, of=unit, **data)
 
     def _finite(self, made: StatedLoad) -> None:
         """Raise :class:`ModelError` where the load has no value."""
@@ -167,14 +167,14 @@ class _LoadReader:
         for start, stop in self._pieces(made.joins):
             steps = max(8, math.ceil(SEEN * (stop - start) / TURN))
             theta = inside(np.linspace(start, stop, steps + 1), start, stop)
-            values, _ = self._told(made.load, theta)
+            values, _ = self._load_and_rate(made.load, theta)
             bad = ~(np.abs(values) < LARGEST)
             if bad.any():
-                raise self._wrong("cam.load-not-finite", float(theta[bad][0]))
+                raise self._error("cam.load-not-finite", float(theta[bad][0]))
             if (pole := self._pole(made.load, theta)) is not None:
-                raise self._wrong("cam.load-not-finite", pole)
+                raise self._error("cam.load-not-finite", pole)
 
-    def _told(self, load: Load, theta: Array) -> tuple[Array, Array]:
+    def _load_and_rate(self, load: Load, theta: Array) -> tuple[Array, Array]:
         """A load and its rate by the cam angle."""
         jet = load(self.disc.look(theta))
         return rows(jet.d[0], theta.size), rows(jet.d[1], theta.size)
@@ -183,7 +183,7 @@ class _LoadReader:
         """Where a load leaps against its rate however near one looks, as across a pole; ``None`` where it doesn't."""
         least = 0.0
         for _ in range(LOOKS):
-            values, rates = self._told(load, theta)
+            values, rates = self._load_and_rate(load, theta)
             leap, step = np.diff(values), np.diff(theta)
             least = least or LEAP * float(np.abs(values).max())
             against = np.maximum(rates[1:] * leap, rates[:-1] * leap) < 0
@@ -194,7 +194,7 @@ class _LoadReader:
             theta = np.linspace(theta[found[0]], theta[found[0] + 1], FINER)
         return float(theta[0])
 
-    def _wrong(self, code: str, theta: float, **data: str) -> ModelError:
+    def _error(self, code: str, theta: float, **data: str) -> ModelError:
         unit, size = self._unit(u.ANGLE)
         return ModelError([Finding(code, self.at, {"theta": f"{theta / size:.6g} {unit}", **data})])
 

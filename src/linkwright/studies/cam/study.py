@@ -19,11 +19,11 @@ from linkwright.expressions import units as u
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.presentation.blocks import FileOf, StudyReport
-from linkwright.studies.cam.closure_forces import held
+from linkwright.studies.cam.closure_forces import cam_and_closing
 from linkwright.studies.cam.figures import CamFigure, every
 from linkwright.studies.cam.files import FILES
 from linkwright.studies.cam.force_findings import press
-from linkwright.studies.cam.milled_discs import milled, seen
+from linkwright.studies.cam.milled_discs import axis_comments, milled
 from linkwright.studies.cam.options import PATH, CamOptions
 from linkwright.studies.cam.outcome import CamOutcome
 from linkwright.studies.cam.plate import Plate
@@ -76,7 +76,7 @@ class CamStudy(Study):
         """All that is asked of the cam; nothing is made of a disc that is undercut."""
         name, _ = chosen(compiled, options)
         assert name is not None
-        outcome = _begun(compiled, options, name)
+        outcome = _initial_outcome(compiled, options, name)
         stated = outcome.stated
         for plate in outcome.plates:
             plate.checks = checks(plate.disc, stated.limits)
@@ -93,7 +93,7 @@ class CamStudy(Study):
         if not cuts:
             press(outcome)
         for plate in sound:
-            outcome.failures += [_failed(outcome, plate, check) for check in plate.checks if not check.kept]
+            outcome.failures += [_failed(outcome, plate, check) for check in plate.checks if not check.passed]
         outcome.failures += [_unmet(outcome, figure) for figure in outcome.figures if not figure.kept]
         for plate in sound:
             _shape(outcome, plate)
@@ -108,16 +108,16 @@ class CamStudy(Study):
 def _read(compiled: Compiled, options: CamOptions, name: str) -> tuple[CamRequirements, list[Finding]]:
     """The numbers of the options and what is wrong with them, read once for check and run."""
 
-    def made() -> tuple[CamRequirements, list[Finding]]:
-        reader = DimensionReader(compiled, options, name, *held(compiled, name))
+    def read_requirements() -> tuple[CamRequirements, list[Finding]]:
+        reader = DimensionReader(compiled, options, name, *cam_and_closing(compiled, name))
         return reader.read(), reader.findings
 
-    return compiled.cached((_read, name, options), made)
+    return compiled.cached((_read, name, options), read_requirements)
 
 
-def _begun(compiled: Compiled, options: CamOptions, name: str) -> CamOutcome:
+def _initial_outcome(compiled: Compiled, options: CamOptions, name: str) -> CamOutcome:
     """The disc or discs, and what is asked of them."""
-    path, (disc, close) = ("cams", name), held(compiled, name)
+    path, (disc, close) = ("cams", name), cam_and_closing(compiled, name)
     stated, _ = _read(compiled, options, name)
     axes = frame(compiled, name)
     plates = [Plate(disc, axes, stated, path, options.steps)]
@@ -145,11 +145,11 @@ def _mill(outcome: CamOutcome, plate: Plate) -> None:
     job, nc = outcome.stated.job, outcome.options.nc
     if job is None or nc is None:
         return
-    told = seen(plate.frame)
+    told = axis_comments(plate.frame)
     if plate.second:
         name = f"{job.name[:17]}_SECOND"
         job, told = replace(job, name=name, number=job.number % 9999 + 1), ["SECOND DISC", *told]
-    broken = {check.name for check in plate.checks if not check.kept}
+    broken = {check.name for check in plate.checks if not check.passed}
     known = {code for code, name in MILLED.items() if name in broken}
     plate.milled, found = milled(plate.disc, job, nc.post, outcome.options.steps, told)
     for finding in found:
@@ -202,7 +202,7 @@ def _shape(outcome: CamOutcome, plate: Plate) -> None:
     disc, stated = plate.disc, outcome.stated
     try:
         plate.elements = contour(disc, stated.tolerance)
-        cut = any(check.name == "groove_radius" and not check.kept for check in plate.checks)
+        cut = any(check.name == "groove_radius" and not check.passed for check in plate.checks)
         if stated.limits.groove and not cut:
             plate.outer = contour(disc, stated.tolerance, disc.follower.radius)
         if outcome.options.drawing == "splines":
@@ -228,7 +228,7 @@ def _unfit(outcome: CamOutcome, plate: Plate, blank: Blank) -> Iterator[Finding]
     reach = max(blank.hub, math.hypot(blank.bore + blank.key_depth, blank.key_width / 2)) / 1e3
     if reach >= least:
         lengths = {"reach": f"{reach / size:.6g}", "least": f"{least / size:.6g}", "unit": unit}
-        yield Finding("cam.blank", (*PATH, "blank"), lengths | {"profile": plate.of(Term("cam-profile"))})
+        yield Finding("cam.blank", (*PATH, "blank"), lengths | {"profile": plate.term_for(Term("cam-profile"))})
     if plate.outer and (most := plate.outer_extents[1].value) >= blank.radius / 1e3:
         yield Finding("cam.plate", (*PATH, "blank", "radius"), {"most": f"{most / size:.6g}", "unit": unit})
 
@@ -255,7 +255,7 @@ def _failed(outcome: CamOutcome, plate: Plate, check: CamCheck) -> Finding:
         return Finding("cam.undercut", plate.path, data)
     if check.name == "hollow_radius":
         limits = replace(CamLimits(), cutter=check.limit)
-        data |= {"profile": plate.of(Term("cam-profile"))}
+        data |= {"profile": plate.term_for(Term("cam-profile"))}
         return Finding("cam.hollow", plate.path, data | _base(outcome, plate, limits))
     return Finding("cam.limit", (*PATH, "limits"), data)
 
@@ -282,7 +282,12 @@ def _place(outcome: CamOutcome, plate: Plate, check: CamCheck) -> dict[str, obje
     dimension = u.ANGLE if check.name.startswith("pressure") else u.LENGTH
     unit, size = outcome.compiled.quantities.unit_of(dimension)
     limit = "-" if check.limit is None else f"{check.limit / size:.6g}"
-    data = {"name": plate.of(NAMED[check.name]), "value": f"{check.value / size:.6g}", "limit": limit, "unit": unit}
+    data = {
+        "name": plate.term_for(NAMED[check.name]),
+        "value": f"{check.value / size:.6g}",
+        "limit": limit,
+        "unit": unit,
+    }
     return data | {"theta": _angle(outcome, check.theta)}
 
 

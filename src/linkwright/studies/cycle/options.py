@@ -76,14 +76,14 @@ def span(compiled: Compiled, options: CycleOptions) -> tuple[float, list[Finding
     if seconds is None:
         return 0.0, found
     if seconds <= 0:
-        return _wrong(key, Term("length-positive"))
-    return (seconds, []) if seconds < LONGEST else _wrong(key, _too_long(seconds))
+        return _option_fault(key, Term("length-positive"))
+    return (seconds, []) if seconds < LONGEST else _option_fault(key, _too_long(seconds))
 
 
 def _turns(compiled: Compiled, text: str) -> tuple[float, list[Finding]]:
     m, match = compiled.mechanism, TURNS.fullmatch(text)
     if match is None:
-        return _wrong("turns", Term("turns-form", text=text[:60], drive=compiled.graph.drives[0]))
+        return _option_fault("turns", Term("turns-form", text=text[:60], drive=compiled.graph.drives[0]))
     count, name = float(match[1]), match[2]
     if name not in m.movers:
         return 0.0, [unknown("drive", ("studies", "cycle", "turns"), name, m.movers)]
@@ -95,15 +95,15 @@ def _turns(compiled: Compiled, text: str) -> tuple[float, list[Finding]]:
         or drive.acceleration is not None
         or not drive.turns
     ):
-        return _wrong("turns", Term("turns-constant", drive=name))
+        return _option_fault("turns", Term("turns-constant", drive=name))
     speed = compiled.quantities.value(drive.speed, u.OMEGA)
     if speed == 0 or count == 0:
-        return _wrong("turns", Term("turns-none", drive=name))
+        return _option_fault("turns", Term("turns-none", drive=name))
     seconds = 2 * np.pi * count / abs(speed)
-    return (seconds, []) if seconds < LONGEST else _wrong("turns", _too_long(seconds))
+    return (seconds, []) if seconds < LONGEST else _option_fault("turns", _too_long(seconds))
 
 
-def _wrong(key: str, reason: Term) -> tuple[float, list[Finding]]:
+def _option_fault(key: str, reason: Term) -> tuple[float, list[Finding]]:
     data = {"study": "cycle", "key": key, "reason": reason}
     return 0.0, [Finding("study.options", ("studies", "cycle", key), data)]
 

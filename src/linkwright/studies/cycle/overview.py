@@ -89,7 +89,7 @@ def overview_entry(found: Overview, run: Run) -> dict[str, Any]:
     def place(peak: Peak, size: float) -> dict[str, Any]:
         return {"value": number(peak.value, size), "at": peak.time / second}
 
-    def told(extent: Extent) -> dict[str, Any]:
+    def extent_entry(extent: Extent) -> dict[str, Any]:
         unit, size = quantities.unit_of(extent.dimension)
         ends = {"min": place(extent.low, size), "max": place(extent.high, size)}
         return {**ends, "rms": number(extent.rms, size), "unit": unit, "at_unit": time_unit}
@@ -99,7 +99,7 @@ def overview_entry(found: Overview, run: Run) -> dict[str, Any]:
         return {**place(extent.peak, size), "rms": number(extent.rms, size), "unit": unit, "at_unit": time_unit}
 
     return {
-        "outputs": {one.text: told(one) for one in found.outputs},
+        "outputs": {one.text: extent_entry(one) for one in found.outputs},
         "drives": {name: {"effort": largest(a), "power": largest(b)} for name, (a, b) in found.drives.items()},
         "reactions": [
             {"joint": joint, "links": [link, on], **largest(one)} for (joint, link, on), one in found.reactions.items()

@@ -77,7 +77,7 @@ def measure(m: MeasureResult, second: float, time_unit: str) -> Measure:
             label=Said(f"measure.{f.label}") if f.label else "",
             value=None if f.unbounded else f.value / m.size,
             text=Said("value.unbounded") if f.unbounded else "",
-            at="" if f.time is None else _at(f.side, f"{f.time / second:.6g} {time_unit}"),
+            at="" if f.time is None else _time_phrase(f.side, f"{f.time / second:.6g} {time_unit}"),
             grade=grade_text(f.grade, second, time_unit),
         )
         for f in m.found
@@ -85,7 +85,7 @@ def measure(m: MeasureResult, second: float, time_unit: str) -> Measure:
     return Measure(m.name, m.measure.description, values, m.unit, m.requirement, m.verdict)
 
 
-def _at(side: str, time: str) -> Said:
+def _time_phrase(side: str, time: str) -> Said:
     return Said(f"measure.at.{side}" if side else "measure.at", time=time)
 
 
@@ -118,18 +118,20 @@ def measure_entry(m: MeasureResult, second: float, time_unit: str) -> dict[str, 
     entry: dict[str, Any] = {(f.label or "value"): None if f.unbounded else f.value / m.size for f in m.found}
     entry["unit"] = m.unit
 
-    def put(key: str, each: dict[str, Any]) -> None:
+    def put_by_label(key: str, each: dict[str, Any]) -> None:
         """What is known of a measure's numbers: of the only one itself, of several by their labels."""
         if each:
             entry[key] = each.get("", each)
 
-    put("at", {f.label: f.time / second for f in m.found if f.time is not None})
+    put_by_label("at", {f.label: f.time / second for f in m.found if f.time is not None})
     if "at" in entry:
         entry["at_unit"] = time_unit
     far = [f for f in m.found if f.unbounded]
-    put("unbounded", {f.label: {"side": f.side, "t": (f.time or 0.0) / second, "to": _sign(f.value)} for f in far})
-    put("approached", {f.label: f.side for f in m.found if f.side and not f.unbounded})
-    put("grade", {f.label: grade_entry(f.grade, second) for f in m.found})
+    put_by_label(
+        "unbounded", {f.label: {"side": f.side, "t": (f.time or 0.0) / second, "to": _sign(f.value)} for f in far}
+    )
+    put_by_label("approached", {f.label: f.side for f in m.found if f.side and not f.unbounded})
+    put_by_label("grade", {f.label: grade_entry(f.grade, second) for f in m.found})
     if m.requirement is not None:
         entry |= {"require": m.requirement, "met": m.verdict}
     return entry

@@ -14,7 +14,7 @@ from linkwright.measures import Measurer, enclose, misfit
 from linkwright.presentation.blocks import FileOf, StudyReport
 from linkwright.results import Result, Run, certify
 from linkwright.studies.assembly_checks import near, singular, strokes, travels, unassembled
-from linkwright.studies.change_point_carry import carried, warnings
+from linkwright.studies.change_point_carry import carry_through_change_points, warnings
 from linkwright.studies.cycle.options import CycleOptions, span
 from linkwright.studies.cycle.outcome import CycleOutcome
 from linkwright.studies.cycle.report import report
@@ -60,7 +60,7 @@ class Cycle(Study):
         code = "motion.singular"
         if options.through == "keep":
             code = "motion.cannot-carry"
-            run, kept = carried(run)
+            run, kept = carry_through_change_points(run)
             if kept:
                 return CycleOutcome(Result(run, kept))
         if gaps := unassembled(run):
@@ -78,7 +78,7 @@ class Cycle(Study):
         measurer = Measurer(run)
         measures = enclose(measurer, measurer.all())
         result.certificate = replace(certificate, measures=misfit(measurer, measures))
-        measurer.findings += lost(run)
+        measurer.findings += untracked_angles(run)
         faults = [finding for finding in measurer.findings if finding.severity == "error"]
         result.failures += [*unproven(result), *faults, *strokes(run), *travels(run)]
         warned = [finding for finding in measurer.findings if finding not in faults]
@@ -111,7 +111,7 @@ def unproven(result: Result) -> list[Finding]:
     return found
 
 
-def lost(run: Run) -> list[Finding]:
+def untracked_angles(run: Run) -> list[Finding]:
     """A finding for each angle that turns too often to be followed."""
     names = sorted(name.partition(".")[0] for name in run.lost)
     return [Finding("motion.too-many-turns", ("links", name), {"name": name}) for name in names]

@@ -54,7 +54,7 @@ def _branches(c: Certificate, time: Text) -> Iterator[Check]:
         yield Check(Said("proof.branches"), str(len(kept)), text, ok=True)
 
 
-def _followed(c: Certificate, time: Text) -> Iterator[Check]:
+def _continuation_check(c: Certificate, time: Text) -> Iterator[Check]:
     if c.followed:
         steps, worst = (max(column) for column in zip(*c.followed.values(), strict=True))
         groups = ", ".join(c.followed)
@@ -66,7 +66,7 @@ CHECKS: tuple[Callable[[Certificate, Text], Iterator[Check]], ...] = (
     _mobility,
     _nearest,
     _branches,
-    _followed,
+    _continuation_check,
 )
 """In the order in which they are shown; each gives a line, or none where there is nothing of its kind."""
 

@@ -138,7 +138,7 @@ class _RangeSearch:
         run = Run(self.compiled, low, high, self.samples)
         found = self.gaps(run)
         for _ in range(LOOKS):
-            kept = self.rest(run, found)
+            kept = self.remaining_ranges(run, found)
             # Near a dead end other groups move fast: looked at again where the steps are finer there.
             more = [gap for r in kept if any(r.sweep.dead) for gap in self.gaps(r.sweep)]
             if not more:
@@ -146,7 +146,7 @@ class _RangeSearch:
             found += more
         return kept
 
-    def rest(self, run: Run, found: list[_TimeGap]) -> list[Range]:
+    def remaining_ranges(self, run: Run, found: list[_TimeGap]) -> list[Range]:
         """What some gaps leave of a run."""
         low, high = run.start, run.stop
         tiny = SAME * (high - low)
@@ -160,7 +160,7 @@ class _RangeSearch:
         kept = []
         for (start, before), (stop, after) in zip(starts, ends, strict=True):
             if stop - start > tiny:
-                sides = self.end(start, before), self.end(stop, after)
+                sides = self.range_end(start, before), self.range_end(stop, after)
                 stops = tuple(None if gap is None else Stop(_dyad(gap), gap.kind == "pole") for gap in (before, after))
                 sweep = Sweep(self.compiled, self.drive, start, stop, self.samples, stops)
                 kept.append(Range(*sides, not any(stops) and self.closes(start, stop), sweep))
@@ -194,7 +194,7 @@ class _RangeSearch:
         known = np.abs(self.compiled.evaluate(row, at)[0]) < 1e-9 if at.size else np.empty(0, bool)
         return [float(t) for t in at[known]]
 
-    def end(self, time: float, gap: _TimeGap | None) -> End:
+    def range_end(self, time: float, gap: _TimeGap | None) -> End:
         value = self.origin + time
         if gap is None:
             return End(value, "window")

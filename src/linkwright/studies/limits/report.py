@@ -39,7 +39,7 @@ def _drive(outcome: LimitsOutcome, limits: DriveLimits) -> dict[str, Any]:
     ranges = []
     for found, stretch in limits.ranges:
         scale = _Scale(outcome, unit, size, found.sweep.origin)
-        ends = {"low": scale.end(found.low), "high": scale.end(found.high)}
+        ends = {"low": scale.end_entry(found.low), "high": scale.end_entry(found.high)}
         ranges.append({**ends, "full_turn": found.full, **scale.stretch(stretch)})
     return {"unit": unit, "turns": turns, "ranges": ranges}
 
@@ -65,13 +65,13 @@ class _Scale:
     def __init__(self, outcome: LimitsOutcome, unit: str, size: float, origin: float) -> None:
         self.quantities, self.unit, self.size, self.origin = outcome.compiled.quantities, unit, size, origin
 
-    def at(self, time: float) -> float:
+    def in_unit(self, time: float) -> float:
         """A place in the unit."""
         return _near(self.origin + time, abs(self.origin) + abs(time)) / self.size
 
-    def end(self, end: End) -> dict[str, Any]:
+    def end_entry(self, end: End) -> dict[str, Any]:
         """Where a range ends, and why."""
-        at = self.at(end.value - self.origin)
+        at = self.in_unit(end.value - self.origin)
         return {"at": at, "kind": end.kind, "group": end.group, "what": end.beyond.what if end.beyond else None}
 
     def stretch(self, stretch: RunLimits) -> dict[str, Any]:
@@ -80,26 +80,26 @@ class _Scale:
             "unit": self.unit,
             "signals": {course.signal: self.course(course) for course in stretch.courses},
             "transmission": {angle.group: self.angle(angle) for angle in stretch.transmission},
-            "change_points": [{"group": t.group, "at": self.at(t.time)} for t in stretch.touches],
+            "change_points": [{"group": t.group, "at": self.in_unit(t.time)} for t in stretch.touches],
         }
 
     def course(self, course: SignalCourse) -> dict[str, Any]:
         unit, size = self.quantities.unit_of(course.dimension)
         ends = [abs(e.value) for e in (course.low, course.high) if isfinite(e.value)]
 
-        def shown(value: float) -> float | None:
+        def value_in_unit(value: float) -> float | None:
             return _near(value, max(ends, default=0.0)) / size if isfinite(value) else None
 
         entry: dict[str, Any] = {
             "unit": unit,
-            "min": shown(course.low.value),
-            "min_at": self.at(course.low.time),
-            "max": shown(course.high.value),
-            "max_at": self.at(course.high.time),
-            "span": shown(course.stroke),
+            "min": value_in_unit(course.low.value),
+            "min_at": self.in_unit(course.low.time),
+            "max": value_in_unit(course.high.value),
+            "max_at": self.in_unit(course.high.time),
+            "span": value_in_unit(course.stroke),
             "turns": course.turns,
             "dead_centres": [
-                {"kind": "max" if r.top else "min", "value": shown(r.value), "at": self.at(r.time)}
+                {"kind": "max" if r.top else "min", "value": value_in_unit(r.value), "at": self.in_unit(r.time)}
                 for r in course.reversals
             ],
         }
@@ -111,7 +111,7 @@ class _Scale:
 
     def angle(self, found: Transmission) -> dict[str, Any]:
         unit, size = self.quantities.unit_of(ANGLE)
-        at = None if found.time is None else self.at(found.time)
+        at = None if found.time is None else self.in_unit(found.time)
         return {"signature": found.signature, "least": found.angle / size, "unit": unit, "at": at}
 
 

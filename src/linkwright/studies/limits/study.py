@@ -85,7 +85,7 @@ class Limits(Study):
     def run(self, compiled: Compiled, options: LimitsOptions, site: RunContext = NOWHERE) -> LimitsOutcome:
         """Move each drive alone, then follow the file's motion."""
         outcome = LimitsOutcome(compiled, options.samples, loops=four_links(compiled))
-        signals = _wanted(compiled, options)
+        signals = _bound_signals(compiled, options)
         for drive in options.drives if options.drives is not None else compiled.graph.motors:
             window = options.ranges.get(drive)
             edges = None if window is None else (_value(compiled, drive, window[0]), _value(compiled, drive, window[1]))
@@ -148,7 +148,7 @@ def _too_far(run: Run) -> Iterator[Finding]:
             yield Finding("study.long-motion", ("studies", "cycle"), data)
 
 
-def _wanted(compiled: Compiled, options: LimitsOptions) -> Signals:
+def _bound_signals(compiled: Compiled, options: LimitsOptions) -> Signals:
     quantities = compiled.quantities
     texts = dict.fromkeys([*output_signals(compiled), *(signal.text for signal in options.signals)])
     return {

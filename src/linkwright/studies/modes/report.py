@@ -107,14 +107,14 @@ def _circuit(outcome: ModesOutcome, index: int, scale: float) -> CircuitEntry:
     assert found.drive is not None
     turning, here = outcome.quantities.mechanism.prescribed(found.drive).turns, outcome.values[found.drive]
 
-    def shown(low: float, high: float) -> tuple[float, float]:
+    def range_in_unit(low: float, high: float) -> tuple[float, float]:
         """In the file's unit; of ranges that are a whole turn apart, the one about the pose looked at."""
         away = 2 * math.pi * round((0.5 * (low + high) - here) / (2 * math.pi)) if turning else 0.0
         return (low - away) / scale, (high - away) / scale
 
     branches: list[BranchEntry] = []
     for branch, (low, high) in enumerate(circuit.ranges):
-        low, high = shown(low, high)
+        low, high = range_in_unit(low, high)
         modes = [i + 1 for i in found.on(index, branch)]
         branches.append({"number": branch + 1, "modes": modes, "low": low, "high": high})
     return {
@@ -123,7 +123,7 @@ def _circuit(outcome: ModesOutcome, index: int, scale: float) -> CircuitEntry:
         "closed": circuit.closed,
         "turns": circuit.turns,
         "branches": branches,
-        "change_points": sorted({round(shown(value, value)[0], 6) + 0.0 for value in circuit.crossings}),
+        "change_points": sorted({round(range_in_unit(value, value)[0], 6) + 0.0 for value in circuit.crossings}),
     }
 
 
@@ -179,7 +179,7 @@ def drawing(outcome: ModesOutcome, mode: Mode) -> str:
     span = max((max(xs) - min(xs)) / (WIDTH - 2 * PAD), (max(ys) - min(ys)) / (HEIGHT - 2 * PAD)) or 1.0
     middle = (max(xs) + min(xs)) / 2, (max(ys) + min(ys)) / 2
 
-    def at(name: str) -> Spot:
+    def to_picture(name: str) -> Spot:
         x, y = mode.places[name]
         return WIDTH / 2 + (x - middle[0]) / span, HEIGHT / 2 - (y - middle[1]) / span
 
@@ -190,14 +190,16 @@ def drawing(outcome: ModesOutcome, mode: Mode) -> str:
     mechanism = outcome.quantities.mechanism
     links = mechanism.links
     for name, joint in mechanism.prismatic_joints():
-        ends = listed([at(line.point) for line in joint.line or ()])
+        ends = listed([to_picture(line.point) for line in joint.line or ()])
         shapes.append(f'<polyline class="lw-centre" points="{ends}"><title>{markup(name)}</title></polyline>')
     for i, name in enumerate(name for name in links if name != FRAME):
-        corners = listed([(z.real, z.imag) for z in hull(np.array([complex(*at(p)) for p in links[name].points]))])
+        corners = listed(
+            [(z.real, z.imag) for z in hull(np.array([complex(*to_picture(p)) for p in links[name].points]))]
+        )
         title = f"<title>{markup(name)}</title>"
         shapes.append(f'<polygon class="lw-body lw-c{i % 8}" points="{corners}">{title}</polygon>')
     for name in mode.places:
-        (x, y), size = at(name), 4.5 if name in links[FRAME].points else 3
+        (x, y), size = to_picture(name), 4.5 if name in links[FRAME].points else 3
         title = f"<title>{markup(name)}</title>"
         shapes.append(f'<circle class="lw-pin" cx="{x:.1f}" cy="{y:.1f}" r="{size}">{title}</circle>')
     box = f"0 0 {WIDTH:.0f} {HEIGHT:.0f}"

@@ -106,7 +106,7 @@ def _reactions(compiled: Still, statics: Statics) -> Iterator[Reaction]:
         if (contact.joint, contact.on) in seen and contact.on != contact.joint:
             continue
         seen.add((contact.joint, contact.link))
-        called = _called(compiled, contact)
+        called = _reaction_name(compiled, contact)
         parts = statics.parts(contact)
         for part in parts:
             dimension = u.TORQUE if part.attribute == "moment" else u.FORCE
@@ -115,7 +115,7 @@ def _reactions(compiled: Still, statics: Statics) -> Iterator[Reaction]:
             yield Reaction(called, contact.joint, u.FORCE, found[1], found[0])
 
 
-def _called(compiled: Still, contact: Contact) -> str:
+def _reaction_name(compiled: Still, contact: Contact) -> str:
     """The name of a reaction; with the joint where the two links meet in several."""
     same = [c for c in compiled.quantities.signals.contacts if (c.link, c.on) == (contact.link, contact.on)]
     names = [contact.link, contact.on, *([contact.joint] if len(same) > 1 else [])]

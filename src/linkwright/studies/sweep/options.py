@@ -50,7 +50,7 @@ class SweepOptions(Sampling):
     kernel: KernelName = Field("auto", description="what computes it: chosen by the size of the work, or one by name")  # type: ignore[valid-type]
 
     @property
-    def keeps(self) -> bool:
+    def keeps_signals(self) -> bool:
         return self.keep == "all"
 
     def spreads(self, compiled: Compiled) -> list[ParameterSpread]:
@@ -92,7 +92,7 @@ def _varied(compiled: Compiled, options: SweepOptions) -> Iterator[Finding]:
             value, faults = constant(quantities, part, dimension, (*path, *place))
             wrong += faults
             numbers += [] if value is None else [value]
-        yield from wrong or (Finding(code, path, data) for code, data in entry.wrong(numbers))
+        yield from wrong or (Finding(code, path, data) for code, data in entry.number_faults(numbers))
 
 
 def _size(compiled: Compiled, options: SweepOptions) -> Iterator[Finding]:

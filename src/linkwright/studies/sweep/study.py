@@ -78,7 +78,7 @@ class SweepStudy(Study):
 
     def stores(self, options: SweepOptions) -> Sequence[str]:
         """Where all values go, where they are kept."""
-        return [store("sweep")] if options.keeps else []
+        return [store("sweep")] if options.keeps_signals else []
 
     def settle(self, outcome: SweepOutcome) -> None:
         """The state from which the same study would go on isn't needed any more."""

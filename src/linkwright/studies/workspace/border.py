@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.results.stationary import bracketed
-from linkwright.studies.workspace.cells import DEEPEST, Cells, cut_sides, joined, key, known_corners
+from linkwright.studies.workspace.cells import DEEPEST, Cells, cut_sides, key, known_corners, merge_cells
 from linkwright.studies.workspace.curves import beside
 from linkwright.studies.workspace.maps import crossings
 from linkwright.studies.workspace.shapes import without_slivers
@@ -54,10 +54,10 @@ def border(depth: Depth, cells: Cells, chord: float) -> tuple[Array, Array, Arra
             near |= (away < AROUND * long[k] + cells.size) & (cells.size > long[k] / 8) & (cells.level < DEEPEST + 4)
         if not near.any():
             break
-        parts = cells.some(near)
+        parts = cells.subset(near)
         for _ in range(CUTS):
             parts = parts.quarters()
-        cells = joined([cells.some(~near), parts])
+        cells = merge_cells([cells.subset(~near), parts])
     return a, b, long
 
 
@@ -65,7 +65,7 @@ def _traced(depth: Depth, cells: Cells, chord: float) -> tuple[Array, Array, NDA
     """Pieces of the edge, and which of them couldn't be followed."""
     corners, triangles, cell = triangulated(cells)
     pairs, ends, of = crossings(triangles, np.where(depth(corners) > 0, 1.0, -1.0))
-    ends = _through(ends, cell[of], np.asarray(np.isin(pairs, triangles[:, 0]).any(axis=1)))
+    ends = _join_through_cells(ends, cell[of], np.asarray(np.isin(pairs, triangles[:, 0]).any(axis=1)))
     used, ends = np.unique(ends, return_inverse=True)
     start, way = corners[:, pairs[used, 0]], corners[:, pairs[used, 1]] - corners[:, pairs[used, 0]]
 
@@ -77,10 +77,10 @@ def _traced(depth: Depth, cells: Cells, chord: float) -> tuple[Array, Array, NDA
     share = bracketed(along, np.arange(count), np.zeros(count), np.ones(count), near=near)
     a, b = (start + share * way)[:, ends.reshape(-1, 2)].transpose(2, 0, 1)
     long = (a != b).any(axis=0)
-    return followed(depth, a[:, long], b[:, long], chord)
+    return halve_pieces(depth, a[:, long], b[:, long], chord)
 
 
-def _through(ends: Rows, cell: Rows, inner: NDArray[np.bool_]) -> Rows:
+def _join_through_cells(ends: Rows, cell: Rows, inner: NDArray[np.bool_]) -> Rows:
     """Pieces (n, 2) of lines by their ends, each in a cell (n,): one piece from side to side of each cell that one line
     passes, where ``inner`` says which ends lie within cells."""
     count = int(cell.max(initial=-1)) + 1
@@ -93,7 +93,7 @@ def _through(ends: Rows, cell: Rows, inner: NDArray[np.bool_]) -> Rows:
     return np.concatenate([ends[~once], ends[row, side][order].reshape(-1, 2)])
 
 
-def followed(depth: Depth, a: Array, b: Array, chord: float) -> tuple[Array, Array, NDArray[np.bool_]]:
+def halve_pieces(depth: Depth, a: Array, b: Array, chord: float) -> tuple[Array, Array, NDArray[np.bool_]]:
     """Pieces halved until the middle of each way lies within ``chord`` (m) of its chord; which of them can't be."""
     done = [(a[:, :0], b[:, :0], np.empty(0, dtype=bool))]
     for turn in range(ROUNDS):

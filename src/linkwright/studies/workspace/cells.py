@@ -86,7 +86,7 @@ class Cells:
         """The centres."""
         return self.corner[:, None] + (self.number + 0.5) * self.size
 
-    def some(self, which: Mask | Rows | slice) -> Cells:
+    def subset(self, which: Mask | Rows | slice) -> Cells:
         """Some of the cells."""
         return Cells(self.corner, self.side, self.number[:, which], self.level[which])
 
@@ -97,7 +97,7 @@ class Cells:
         return Cells(self.corner, self.side, number, np.repeat(self.level + 1, 4))
 
 
-def joined(parts: list[Cells]) -> Cells:
+def merge_cells(parts: list[Cells]) -> Cells:
     """Several sets of cells of one square as one."""
     number = np.concatenate([part.number for part in parts], axis=1)
     return Cells(parts[0].corner, parts[0].side, number, np.concatenate([part.level for part in parts]))
@@ -169,37 +169,39 @@ def decided(places: ModePlaces, corner: Array, side: float, extent: float, deep:
     cells = Cells(corner, side, np.stack(np.meshgrid(axis, axis)).reshape(2, -1), np.full(4**COARSE, COARSE))
     fine = int(np.ceil(np.log2(side / extent))) + FINE
     little = LITTLE if places.poses_each == 1 else ENOUGH * LITTLE
-    return _cut(places, cells, fine, min(fine + deep, DEEPEST), little)
+    return _divide_cells(places, cells, fine, min(fine + deep, DEEPEST), little)
 
 
 def cut_on(places: ModePlaces, found: Decided, which: Mask) -> Decided:
     """The same with some of the open cells cut on; the edge is traced in the same cells."""
     # Keep the cells that are not chosen, with renumbered bounds; subdivide the others level by level.
-    rest = found.open.some(~which)
+    rest = found.open.subset(~which)
     kept = ~which[found.forms.of]
     number = np.cumsum(~which) - 1
     forms = LinearForms(number[found.forms.of[kept]], *(part[..., kept] for part in found.forms.arrays))
     made = [Decided(found.reached, found.never, rest, found.edge, found.least[~which], found.most[~which], forms)]
     for level in np.unique(found.open.level[which]):
-        some = found.open.some(which & (found.open.level == level)).quarters()
-        made.append(_cut(places, some, int(level) + 1, min(int(level) + DEEP, DEEPEST), 0.0))
-    return _together(made, found.edge)
+        some = found.open.subset(which & (found.open.level == level)).quarters()
+        made.append(_divide_cells(places, some, int(level) + 1, min(int(level) + DEEP, DEEPEST), 0.0))
+    return _merge_decided(made, found.edge)
 
 
-def _together(parts: list[Decided], edge: Cells) -> Decided:
+def _merge_decided(parts: list[Decided], edge: Cells) -> Decided:
     """What is decided of several parts of the plane."""
     first = np.cumsum([0, *(part.open.level.size for part in parts)])
     of = np.concatenate([part.forms.of + start for part, start in zip(parts, first, strict=False)])
     arrays = (np.concatenate(some, axis=-1) for some in zip(*(part.forms.arrays for part in parts), strict=True))
-    reached, never, open_ = (joined([getattr(part, name) for part in parts]) for name in ("reached", "never", "open"))
+    reached, never, open_ = (
+        merge_cells([getattr(part, name) for part in parts]) for name in ("reached", "never", "open")
+    )
     least, most = (np.concatenate([getattr(part, name) for part in parts]) for name in ("least", "most"))
     return Decided(reached, never, open_, edge, least, most, LinearForms(of, *arrays))
 
 
-def _cut(places: ModePlaces, cells: Cells, fine: int, deep: int, little: float) -> Decided:
+def _divide_cells(places: ModePlaces, cells: Cells, fine: int, deep: int, little: float) -> Decided:
     """Cells of one level, cut into four until they are decided; from level ``fine`` on only where the edge isn't one
     line, down to level ``deep`` or until no more than a share ``little`` of the area is open."""
-    count, empty = len(places.branches), cells.some(slice(0, 0))
+    count, empty = len(places.branches), cells.subset(slice(0, 0))
     # Start with every combination of cell and branch (sign pattern of the dyads' roots).
     of, branch = np.repeat(np.arange(cells.level.size), count), np.tile(np.arange(count), cells.level.size)
     reached, never, edge, made = [empty], [empty], [empty], [_nothing(empty, len(places.rows))]
@@ -213,8 +215,8 @@ def _cut(places: ModePlaces, cells: Cells, fine: int, deep: int, little: float) 
         forms = _Forms(linear, of, cells.level.size)
         # Decided: all functions of one pose positive means reached; one function of every pose negative means
         # unreachable.
-        reached.append(cells.some(forms.reached))
-        never.append(cells.some(~forms.alive))
+        reached.append(cells.subset(forms.reached))
+        never.append(cells.subset(~forms.alive))
         area += size**2 * int(forms.reached.sum())
         # Undecided cells continue, with the poses that may still reach them.
         going = forms.alive & ~forms.reached
@@ -224,7 +226,7 @@ def _cut(places: ModePlaces, cells: Cells, fine: int, deep: int, little: float) 
             # edge need not be subdivided to the end.
             least, most = forms.shares(kept)
             none = going & (most <= 0)
-            never.append(cells.some(none))
+            never.append(cells.subset(none))
             going &= ~none
             kept &= going[of]
             # A cell is good enough if its edge is one line and its area is known sharply.
@@ -237,19 +239,19 @@ def _cut(places: ModePlaces, cells: Cells, fine: int, deep: int, little: float) 
             # line.
             stays = going if last else going & ~rest
             drawn = going & ~traced & (plain | stays)
-            edge.append(cells.some(drawn))
+            edge.append(cells.subset(drawn))
             traced |= drawn
-            open_ = cells.some(stays)
+            open_ = cells.subset(stays)
             made.append(Decided(empty, empty, open_, empty, least[stays], most[stays], forms.straight(kept, stays)))
             undecided += float((most - least)[stays].sum()) * size**2
             going &= ~stays
             kept &= going[of]
         # Subdivide: renumber the surviving combinations, cut each cell into four and give each quarter its poses.
         of, branch = np.divmod(np.unique((np.cumsum(going) - 1)[of[kept]] * count + branch[kept]), count)
-        cells, traced = cells.some(going).quarters(), np.repeat(traced[going], 4)
+        cells, traced = cells.subset(going).quarters(), np.repeat(traced[going], 4)
         of, branch = (4 * of[:, None] + np.arange(4)).ravel(), np.repeat(branch, 4)
-    found = _together(made, joined(edge))
-    found.reached, found.never = joined(reached), joined(never)
+    found = _merge_decided(made, merge_cells(edge))
+    found.reached, found.never = merge_cells(reached), merge_cells(never)
     return found
 
 

@@ -20,9 +20,9 @@ from linkwright.studies.workspace.cells import (
     among,
     cut_on,
     cut_sides,
-    joined,
     key,
     known_corners,
+    merge_cells,
 )
 from linkwright.studies.workspace.places import ModePlaces
 from linkwright.studies.workspace.shapes import figures
@@ -80,12 +80,12 @@ UNPROVEN = RegionCertificate(SEARCHED)
 
 def certified(places: ModePlaces, decided: Decided, shape: Any, chord: float) -> RegionCertificate:
     """The certificate of a shape."""
-    parts, holes, doubtful = _counts(decided)
+    parts, holes, doubtful = _count_parts_and_holes(decided)
     for _ in range(ROUNDS):
         if not doubtful.any():
             break
         decided = cut_on(places, decided, doubtful)
-        parts, holes, doubtful = _counts(decided)
+        parts, holes, doubtful = _count_parts_and_holes(decided)
     low, high = decided.area
     faults = [*_area(decided, shape, chord), *_cells(decided, shape, chord), *_back(places, decided, shape)]
     own = figures(shape)
@@ -122,15 +122,15 @@ def _cells(decided: Decided, shape: Any, chord: float) -> list[Contradiction]:
     found = []
     shapely.prepare(shape)
     for cells, inside, kind in ((decided.reached, True, "left-out"), (decided.never, False, "too-much")):
-        wrong = cells.some(shapely.contains_xy(shape, *cells.middle) != inside)
+        wrong = cells.subset(shapely.contains_xy(shape, *cells.middle) != inside)
         far = shapely.distance(shape.boundary, shapely.points(wrong.middle.T)) > BESIDE * chord
-        wrong = wrong.some(far if len(far) else slice(0, 0))
+        wrong = wrong.subset(far if len(far) else slice(0, 0))
         if wrong.level.size:
             x, y = wrong.middle[:, int(wrong.size.argmax())].tolist()
             found.append(Contradiction(kind, float((wrong.size**2).sum()), (x, y)))
-    cells = joined([decided.reached, decided.never])
+    cells = merge_cells([decided.reached, decided.never])
     margin = BESIDE * chord
-    wide = cells.some(cells.size > 4 * margin)
+    wide = cells.subset(cells.size > 4 * margin)
     corners = shapely.get_coordinates(shape).T
     within = _inside(wide, corners, margin)
     if within.any():
@@ -171,10 +171,10 @@ def _back(places: ModePlaces, decided: Decided, shape: Any) -> list[Contradictio
     return [Contradiction("back", float(wrong.mean()), (x, y))]
 
 
-def _counts(decided: Decided) -> tuple[int | None, int | None, Mask]:
+def _count_parts_and_holes(decided: Decided) -> tuple[int | None, int | None, Mask]:
     """How many parts and holes the region has, each ``None`` where that isn't sure; and which open cells hang together
     with no decided one that counts, so that a part or hole may be there."""
-    cells = joined([decided.reached, decided.never, decided.open])
+    cells = merge_cells([decided.reached, decided.never, decided.open])
     first, count = decided.reached.level.size, decided.reached.level.size + decided.never.level.size
     deepest = int(cells.level.max(initial=0))
     start, stop, cell, _ = cut_sides(cells, deepest, known_corners(cells, deepest))

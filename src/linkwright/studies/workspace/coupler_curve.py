@@ -82,14 +82,14 @@ def curve(
     for first, after in edges.tolist():
         run = q[first:after]
         if first:
-            run = np.concatenate([[_end(inside, q[first], q[first - 1])], run])
+            run = np.concatenate([[_find_end(inside, q[first], q[first - 1])], run])
         if after < q.size:
-            run = np.concatenate([run, [_end(inside, q[after - 1], q[after])]])
+            run = np.concatenate([run, [_find_end(inside, q[after - 1], q[after])]])
         stretches.append(_refined(sheet, run, chord, whole))
     return CouplerCurve(mode, signs, drive, tuple(stretches))
 
 
-def _end(inside: Any, good: float, bad: float) -> float:
+def _find_end(inside: Any, good: float, bad: float) -> float:
     return float(good + halved(lambda s: inside(good + s * (bad - good)), 1)[0] * (bad - good))
 
 

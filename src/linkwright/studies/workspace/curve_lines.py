@@ -25,4 +25,4 @@ def lines(sheet: ModeSheet, segments: Iterable[Segments], kind: str, plane: Pict
         merged = shapely.line_merge(shapely.multilinestrings(shapely.set_precision(lines, 1e-9 * size)))
         for line in shapely.get_parts(shapely.simplify(merged, 0.1 / plane.scale * size)):
             if not line.is_empty:
-                yield points(*plane.at(*(np.array(line.coords).T / size)))
+                yield points(*plane.to_picture(*(np.array(line.coords).T / size)))

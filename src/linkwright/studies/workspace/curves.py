@@ -141,7 +141,7 @@ def _passing(
     a, b = places[:, two[0]], places[:, two[1]]
     # Check that each piece follows the curve; where it does not, refine the triangles around it and recurse.
     long = np.abs(a - b).max(axis=0) > SHORT
-    astray = passed[long & ~_followed(sheet, a, b)] if levels and len(triangles) < MOST else passed[:0]
+    astray = passed[long & ~_can_be_halved(sheet, a, b)] if levels and len(triangles) < MOST else passed[:0]
     if not astray.size:
         return a, b
     held = np.isin(triangles, np.unique(np.concatenate(border))).any(axis=1)
@@ -173,7 +173,7 @@ def _loose(sheet: ModeSheet, mesh: Mesh, a: Array, b: Array) -> bool:
     return bool((count % 2).any())
 
 
-def _followed(sheet: ModeSheet, a: Array, b: Array) -> Mask:
+def _can_be_halved(sheet: ModeSheet, a: Array, b: Array) -> Mask:
     """Whether pieces of the singular curve can be halved twice."""
 
     def f(q: Array) -> Array:

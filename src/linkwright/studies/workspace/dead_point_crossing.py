@@ -105,7 +105,7 @@ def _bridged(
     foretold = node[0] + wide * node[1] + wide**2 / 2 * node[2]
     path = wanted.of(np.array([u + wide]))
     with np.errstate(all="ignore"):
-        q, ok = mover.closed(foretold, path[0])
+        q, ok = mover.solve_drives(foretold, path[0])
         # A large correction would mean another solution.
         if not ok.all() or not (np.abs(q - foretold)[:, 0] / scale < TURNED).all():
             return None

@@ -65,10 +65,10 @@ def read_curve(name: str, folder: Path | None, layer: str | None, path: Path_) -
 def _reason(error: Exception) -> Term | str:
     """Why ezdxf gives up, as far as it says so."""
     told = isinstance(error, (needed("ezdxf", "cad").DXFError, OSError, ValueError))
-    return _shown(str(error).replace("(#None)", "")) if told else Term("drawn-inconsistent")
+    return _printable(str(error).replace("(#None)", "")) if told else Term("drawn-inconsistent")
 
 
-def _shown(text: str) -> str:
+def _printable(text: str) -> str:
     """What a file holds, without what a terminal would obey."""
     return NO_TEXT.sub("?", " ".join(text.split()))[:100].rstrip(".")
 
@@ -78,7 +78,7 @@ def _text(content: bytes, name: str, path: Path_) -> Any:
     ezdxf = needed("ezdxf", "cad")
     lines = io.StringIO(content.decode("latin-1"), newline=None).read().split("\n")
     groups = ((2 * i + 1, code, value) for i, (code, value) in enumerate(zip(lines[::2], lines[1::2], strict=False)))
-    _refuse(name, path, "line", _wrong(groups))
+    _refuse(name, path, "line", _faulty_groups(groups))
     heads = needed("ezdxf.filemanagement", "cad").dxf_stream_info(io.StringIO(content.decode("utf-8", "ignore")))
     return ezdxf.read(io.StringIO(content.decode(heads.encoding, "surrogateescape"), newline=None))
 
@@ -86,20 +86,20 @@ def _text(content: bytes, name: str, path: Path_) -> Any:
 def _binary(content: bytes, name: str, path: Path_) -> Any:
     """A binary drawing, of which the groups have numbers instead of lines."""
     tags = list(needed("ezdxf.lldxf.tagger", "cad").binary_tags_loader(content))
-    _refuse(name, path, "group", _wrong((i, str(tag.code), str(tag.value)) for i, tag in enumerate(tags)))
+    _refuse(name, path, "group", _faulty_groups((i, str(tag.code), str(tag.value)) for i, tag in enumerate(tags)))
     return needed("ezdxf.document", "cad").Drawing.load(iter(tags))
 
 
-def _wrong(groups: Iterator[tuple[int, str, str]]) -> Iterator[tuple[int, str, str]]:
+def _faulty_groups(groups: Iterator[tuple[int, str, str]]) -> Iterator[tuple[int, str, str]]:
     """Groups without a code, and those without the finite number that their code asks for: line, code, value."""
     for line, code, value in groups:
         try:
             limit = _LIMITS.get(int(code))
         except ValueError:
-            yield line, "", _shown(code)
+            yield line, "", _printable(code)
             return  # what follows is out of step
         if limit is not None and not abs(finite(value.strip())) < limit:
-            yield line + 1, code.strip(), _shown(value)
+            yield line + 1, code.strip(), _printable(value)
         if value.strip() == "EOF" and int(code) == 0:
             return
 
@@ -122,7 +122,7 @@ def _points(entity: Any, name: str, path: Path_) -> Array:
     kind = entity.dxftype()
 
     def refused(reason: Term | str) -> ModelError:
-        data = {"file": name, "kind": kind, "handle": _shown(entity.dxf.handle or "-"), "reason": reason}
+        data = {"file": name, "kind": kind, "handle": _printable(entity.dxf.handle or "-"), "reason": reason}
         return ModelError([Finding("drawing.entity", path, data)])
 
     try:

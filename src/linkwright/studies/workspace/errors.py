@@ -61,7 +61,7 @@ class Errors:
         self.engine = KERNELS[choose(program, count, os.cpu_count() or 1).kernel](program)
 
     @cached_property
-    def _whole(self) -> Kernel:
+    def _full_jacobian(self) -> Kernel:
         """What gives all derivatives, by the drives too; used at the few poses of curves."""
         width = self.graph.width
         drives = [self.graph.inputs[self.graph.drives.index(drive) * width] for drive in self.sheet.drives]
@@ -72,7 +72,7 @@ class Errors:
         """Values (rows, n) of the point, of the ``reaches`` of groups with two modes, of the ``poses`` of those with
         two outer pins; their derivatives by the causes, and by the two drives after them: (rows, columns + 2, n)."""
         with np.errstate(all="ignore"):
-            y = self._whole.run(self.sheet.inputs(q), self.sheet.parameters)
+            y = self._full_jacobian.run(self.sheet.inputs(q), self.sheet.parameters)
         rows, width = len(self.names), len(self.by) + 2
         last = rows * (1 + width)
         found = y[rows:last].reshape(rows, width, -1)

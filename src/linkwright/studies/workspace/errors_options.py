@@ -17,7 +17,7 @@ from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.model.mechanism import Mechanism
 from linkwright.studies.accuracy.clearance import PATH as CLEARANCES
-from linkwright.studies.accuracy.clearance_contacts import held
+from linkwright.studies.accuracy.clearance_contacts import loose_joints
 from linkwright.studies.accuracy.clearance_options import check_clearances
 from linkwright.studies.accuracy.stated_contributors import check_contributors, contributors
 from linkwright.studies.accuracy.stated_options import DeviationOptions
@@ -58,7 +58,7 @@ class ErrorsOptions(MapsAsked):
         return self
 
     @property
-    def stated(self) -> DeviationOptions | None:
+    def deviation_options(self) -> DeviationOptions | None:
         """What the file says of deviations and clearances, ``None`` where that is wrong."""
         return self._stated
 
@@ -73,20 +73,20 @@ class ErrorsOptions(MapsAsked):
         if self.limit is not None:
             yield from limit(compiled, self.limit, u.LENGTH, (*self.path, "limit"), Term("limit-error"))[1]
         yield from self.check_maps(compiled, KINDS)
-        wrong = [*_wrong(compiled, self._stated)]
-        yield from (self._own(finding) for finding in wrong)
+        wrong = [*_deviation_faults(compiled, self._stated)]
+        yield from (self._as_own_finding(finding) for finding in wrong)
         if not wrong:
             known = causes(compiled, self._stated).names
             for i, name in enumerate(self.contributors or ()):
                 if name not in known:
                     yield unknown("contributor", (*self.path, "contributors", i), name, known)
 
-    def _own(self, finding: Finding) -> Finding:
+    def _as_own_finding(self, finding: Finding) -> Finding:
         """That nothing deviates is told of this section."""
         return Finding(finding.code, self.path, finding.data) if finding.path == ACCURACY else finding
 
 
-def _wrong(compiled: Compiled, stated: DeviationOptions) -> Iterator[Finding]:
+def _deviation_faults(compiled: Compiled, stated: DeviationOptions) -> Iterator[Finding]:
     """What is wrong with tolerances and clearances."""
     yield from check_contributors(compiled, stated)
     yield from check_clearances(compiled, stated.clearances, CLEARANCES)
@@ -94,4 +94,4 @@ def _wrong(compiled: Compiled, stated: DeviationOptions) -> Iterator[Finding]:
 
 def causes(compiled: Compiled, stated: DeviationOptions) -> Causes:
     """All that deviates, and the joints with clearance, where nothing is wrong with them."""
-    return Causes(contributors(compiled, stated), tuple(held(compiled, stated.clearances)))
+    return Causes(contributors(compiled, stated), tuple(loose_joints(compiled, stated.clearances)))

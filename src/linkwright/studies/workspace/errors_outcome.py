@@ -69,7 +69,7 @@ class ErrorsPart:
             "steps": self.steps,
             "contributors": one.contributors,
             "clearances": {joint: clearance / size for joint, clearance in one.causes.clearances.items()},
-            "maps": one.told(self.outcome),
+            "maps": one.map_entries(self.outcome),
             "unit": unit,
             "guaranteed": {**part_of(one.sure.shape, region, size), "inward": inward},
         }
@@ -82,7 +82,7 @@ def errors_part(options: ErrorsOptions, outcome: WorkspaceOutcome) -> ErrorsPart
     """The error maps of each region, and its guaranteed part."""
     compiled = outcome.compiled
     limit = None if options.limit is None else compiled.quantities.value(options.limit, u.LENGTH)
-    part = ErrorsPart(outcome, options.steps, options.shown(USUAL), options.lines(compiled, KINDS), limit)
+    part = ErrorsPart(outcome, options.steps, options.shown_maps(USUAL), options.lines(compiled, KINDS), limit)
     assert outcome.box is not None
     for workspace in outcome.workspaces:
         try:
@@ -93,13 +93,13 @@ def errors_part(options: ErrorsOptions, outcome: WorkspaceOutcome) -> ErrorsPart
         for reached in workspace.regions:
             maps = errors(reached.region.sheet, outcome.box, who, options.steps)
             sure = guaranteed(reached.region, who, limit, options.steps)
-            part.regions.append(RegionErrors(workspace, reached, maps, maps.ends(), who, sure))
+            part.regions.append(RegionErrors(workspace, reached, maps, maps.extremes(), who, sure))
     return part
 
 
 def _causes(options: ErrorsOptions, compiled: Compiled, workspace: Workspace) -> Causes:
     """What deviates where parameters have the values of a workspace."""
-    stated = options.stated
+    stated = options.deviation_options
     assert stated is not None
     if workspace.regions:
         compiled = at_values(compiled, workspace.regions[0].region.sheet.parameters)

@@ -21,7 +21,7 @@ from linkwright.presentation.blocks import FileOf
 from linkwright.studies.workspace.mesh import DriveBox
 from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome
 from linkwright.studies.workspace.parts_report import FILES as PARTS
-from linkwright.studies.workspace.parts_report import written as parts
+from linkwright.studies.workspace.parts_report import section_documents as parts
 from linkwright.studies.workspace.picture import pictures
 from linkwright.studies.workspace.shapes import pieces
 from linkwright.studies.workspace.trajectories_report import trajectories_svg
@@ -39,7 +39,7 @@ def geojson(outcome: WorkspaceOutcome) -> str | None:
     unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
     features = []
     for one in outcome.workspaces:
-        told = {"point": outcome.point, "values": outcome.shown(one), "unit": unit}
+        told = {"point": outcome.point, "values": outcome.values_in_units(one), "unit": unit}
         for reached in one.regions:
             told_region = {"kind": "region", "mode": reached.mode, **told, "area": reached.figures.area / size**2}
             features.append(_feature(reached.shape, told_region, size))
@@ -92,7 +92,7 @@ def boundary_csv(outcome: WorkspaceOutcome) -> str | None:
 
 def _rows(outcome: WorkspaceOutcome, names: list[str], size: float, sizes: list[float]) -> Iterator[list[str]]:
     for one in outcome.workspaces:
-        values = outcome.shown(one)
+        values = outcome.values_in_units(one)
         front = [cell(values[name]) for name in names]
         for mode, part, ring, at, q, kinds in _rings(one, outcome.box):
             for place, drive, kind in zip((at / size).T.tolist(), q.T.tolist(), kinds, strict=True):
@@ -110,7 +110,7 @@ def _rings(one: Workspace, box: DriveBox | None) -> Iterator[Ring]:
         for part, polygon in enumerate(pieces(reached.shape), start=1):
             for ring, line in enumerate((polygon.exterior, *polygon.interiors)):
                 at = np.array(line.coords).T
-                yield reached.mode, part, ring, at, *reaching.at(at)
+                yield reached.mode, part, ring, at, *reaching.drives_at(at)
     for curve in one.curves:
         for part, stretch in enumerate(curve.stretches, start=1):
             yield curve.mode, part, 0, stretch.at, stretch.q[None], ["path"] * stretch.q.size
@@ -130,7 +130,7 @@ class Reaching:
         self.ends = sheet.place(np.stack([self.a, self.b], axis=1).reshape(2, -1))[0].reshape(2, 2, -1)
         self.tree = shapely.STRtree(shapely.linestrings(np.moveaxis(self.ends, (0, 1, 2), (2, 1, 0))))
 
-    def at(self, places: Array) -> tuple[Array, list[str]]:
+    def drives_at(self, places: Array) -> tuple[Array, list[str]]:
         """Drive values (2, n) and kinds at places (2, n)."""
         import shapely
 
@@ -154,7 +154,7 @@ def dxf(outcome: WorkspaceOutcome) -> str | None:
     drawing.units = {"mm": units.MM, "cm": units.CM, "m": units.M, "in": units.IN, "ft": units.FT}.get(unit, 0)
     space = drawing.modelspace()
     for one in outcome.workspaces:
-        text = outcome.told(one)
+        text = outcome.values_text(one)
         for number, reached in enumerate(one.regions, start=1):
             layer = _layer(drawing, f"{number} {reached.mode} {text}", number)
             for polygon in pieces(reached.shape):

@@ -66,7 +66,7 @@ class RequiredFit(Frozen):
             if kinds and key in given and not fitting:
                 yield "workspace.path-key", {"key": key, "of": of}
 
-    def stated(self, compiled: Compiled, name: str) -> Iterator[tuple[ExpressionPlace, Sign]]:
+    def stated_numbers(self, compiled: Compiled, name: str) -> Iterator[tuple[ExpressionPlace, Sign]]:
         """The numbers of the figure of this name, each with the sign that it must have."""
         for site in sites(self, Context(compiled.mechanism, (*PATH, name))):
             yield from ((place, site.parts[0][1].sign_at(site.context)) for place in site.places())
@@ -83,7 +83,7 @@ class RequiredFits(RootModel[Annotated[dict[NameField, RequiredFit], freeze, Fie
             yield Finding("workspace.section-drives", PATH, {"count": len(compiled.graph.drives)})
             return
         for name, figure in self.root.items():
-            for place, sign in figure.stated(compiled, name):
+            for place, sign in figure.stated_numbers(compiled, name):
                 dimension = compiled.quantities.dimensions.resolve(place.wanted)
                 if sign is Sign.POSITIVE:
                     yield from positive(compiled, place.expression, dimension, place.path)

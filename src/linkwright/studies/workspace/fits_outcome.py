@@ -22,7 +22,7 @@ from linkwright.studies.workspace.fits import (
     largest_rectangle,
     rectangle_fits,
 )
-from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, shown, values_text
+from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, in_units, values_text
 from linkwright.studies.workspace.path_options import valued
 from linkwright.studies.workspace.path_outcome import parameters_of
 
@@ -54,14 +54,14 @@ class FigureFit:
         return found.centre
 
     @property
-    def kept(self) -> bool:
+    def passed(self) -> bool:
         """Whether it fits; the largest does."""
         return self.fit is None or self.fit.fits
 
     @property
     def rank(self) -> tuple[bool, float]:
         """How good it is."""
-        return self.kept, self.size[0] if self.fit is None else self.fit.margin
+        return self.passed, self.size[0] if self.fit is None else self.fit.margin
 
     @property
     def outline(self) -> Array:
@@ -112,7 +112,7 @@ class Required:
             "figure": one.name,
             "shape": "circle" if len(one.size) == 1 else "rectangle",
             "mode": one.reached.mode,
-            **shown(self.compiled, one.workspace.values),
+            **in_units(self.compiled, one.workspace.values),
             **{key: length / size for key, length in zip(keys, one.size, strict=True)},
             **({} if len(one.size) == 1 else {"angle": one.angle / degree}),
             "centre": [place / size for place in one.centre],
@@ -134,19 +134,19 @@ def required(fits: RequiredFits, outcome: WorkspaceOutcome) -> Required:
         for index, one in enumerate(outcome.workspaces)
         for name, figure in fits.root.items()
         for reached in one.regions
-        if (made := _placed(compiled, name, figure, index, one, reached)) is not None
+        if (made := _fit_figure(compiled, name, figure, index, one, reached)) is not None
     ]
     found = Required(compiled, tuple(placed))
-    outcome.failures += [_nowhere(compiled, best) for best in found.best.values() if not best.kept]
+    outcome.failures += [_nowhere(compiled, best) for best in found.best.values() if not best.passed]
     return found
 
 
-def _placed(
+def _fit_figure(
     compiled: Compiled, name: str, figure: RequiredFit, index: int, one: Workspace, reached: Reached
 ) -> FigureFit | None:
     parameters = parameters_of(one, compiled)
     known: dict[str, list[float]] = {}
-    for place, _ in figure.stated(compiled, name):
+    for place, _ in figure.stated_numbers(compiled, name):
         dimension = compiled.quantities.dimensions.resolve(place.wanted)
         known.setdefault(str(place.path[-1]), []).append(valued(compiled, place.expression, dimension, parameters))
     (angle,), (aspect,) = known.get("angle", [0.0]), known.get("aspect", [1.0])

@@ -41,5 +41,7 @@ def fit_overlays(outcome: WorkspaceOutcome, index: int) -> list[Overlay]:
     """The figures at their best places in one workspace."""
     part: Required = outcome.parts["fits"]
     placed = part.within(index).values()
-    lines = {kind: [p.outline for p in placed if p.kept == kept] for kind, kept in (("fits", True), ("misses", False))}
+    lines = {
+        kind: [p.outline for p in placed if p.passed == kept] for kind, kept in (("fits", True), ("misses", False))
+    }
     return [Overlay(kind, some, Said(f"fits.kind.{kind}")) for kind, some in lines.items() if some]

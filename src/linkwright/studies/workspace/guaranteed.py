@@ -86,7 +86,7 @@ def _strips(region: Region, made: Sequence[BoundaryEdge]) -> Any:
     for ring in corners:
         count = ring.shape[1] - 1
         own, level = widest[first : first + count], levels[first : first + count]
-        kept = _kept(ring, cut)
+        kept = _corners_to_keep(ring, cut)
         kept[1:-1] |= level[1:] != level[:-1]
         stops = np.flatnonzero(kept)
         lines.append(
@@ -98,7 +98,7 @@ def _strips(region: Region, made: Sequence[BoundaryEdge]) -> Any:
     return shapely.buffer(np.concatenate(lines), wide, quad_segs=ROUND)
 
 
-def _kept(ring: Array, cut: float) -> NDArray[np.bool_]:
+def _corners_to_keep(ring: Array, cut: float) -> NDArray[np.bool_]:
     """Which corners of a closed line (2, n) are left where others may be ``cut`` off: by Douglas and Peucker."""
     import shapely
 
@@ -164,15 +164,15 @@ def edges(region: Region, found: Errors) -> list[BoundaryEdge]:
         if of.any():
             used, of_used = np.unique(piece[of], return_inverse=True)  # many pieces meet where a curve ends
             seen = every[:, :, used]
-            seen = apart(region.mesh, seen) if one.kind == "pins" else seen
-            shifts = moved(found, one.kind, seen, outward[:, which[of]], of_used)
+            seen = move_off_pits(region.mesh, seen) if one.kind == "pins" else seen
+            shifts = edge_shifts(found, one.kind, seen, outward[:, which[of]], of_used)
             width = np.fmax.reduce(np.maximum(found.causes.most(-shifts), 0.0))
             width[np.isnan(width)] = np.fmax.reduce(width)
             made.append(BoundaryEdge(one.kind, ends[:, :, which[of]], outward[:, which[of]], shifts, width, which[of]))
     return made
 
 
-def apart(mesh: Mesh, drives: Array) -> Array:
+def move_off_pits(mesh: Mesh, drives: Array) -> Array:
     """Drive values (2, 2, n) so near to pits that derivatives have no digits left, moved away from them."""
     corners = np.unique(mesh.pits)
     before = corners - corners.size  # the mesh's rings, each half as wide as the one before, follow each other
@@ -182,7 +182,7 @@ def apart(mesh: Mesh, drives: Array) -> Array:
     return np.asarray(centre + AWAY * (drives - centre))
 
 
-def moved(found: Errors, kind: str, drives: Array, outward: Array, of: NDArray[np.intp] | None = None) -> Array:
+def edge_shifts(found: Errors, kind: str, drives: Array, outward: Array, of: NDArray[np.intp] | None = None) -> Array:
     """How far the ends of pieces (2, 2, n): coordinate, end, piece, in the drives' plane, move along their own normals,
     which point about as ``outward`` (2, n) does, per unit of each cause: (columns, 2, n). With ``of`` (m,) the
     pieces to which ``outward`` (2, m) belongs.
@@ -252,6 +252,6 @@ def imprecise(region: Region, found: Errors, limit: float, steps: int = STEPS) -
         error = found(q)["error worst"]
         return ~(error <= limit)
 
-    q, triangles, _ = meshes.cut(above, made.q, made.triangles)
+    q, triangles, _ = meshes.cut_triangles(above, made.q, made.triangles)
     at = sheet.place(q)[0]
     return covered(at, triangles[np.isfinite(at[:, triangles]).all(axis=(0, 2))])

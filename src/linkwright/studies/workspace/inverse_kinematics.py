@@ -141,22 +141,22 @@ def free(
             break
     if best is None:
         stretches = _stretches(region, wanted, None, 1.0, False)
-        return Way(None, stretches, 0, _said(region, wanted.path, stretches, motor))
+        return Way(None, stretches, 0, _stretch_findings(region, wanted.path, stretches, motor))
     _, track, turn, back = best
     # Report the obstacles, or build the law if there are none.
     stretches = _stretches(region, wanted, track, turn, back)
     if stretches:
-        return Way(None, stretches, solutions, _said(region, wanted.path, stretches, motor))
+        return Way(None, stretches, solutions, _stretch_findings(region, wanted.path, stretches, motor))
     # At constant speed the motor's own value is proportional to time, so the whole travel gives the duration.
     first, last = track.nodes[0, m, [0, -1]]
     time = float((last - first) / speed)
 
-    def at(t: Array) -> tuple[Array, Array]:
+    def drives_at(t: Array) -> tuple[Array, Array]:
         motion, u = _timed(track, m, first + speed * t, speed)
         motion[1, m], motion[2, m] = speed, 0.0  # to round-off it is
         return motion, u
 
-    return _way(region, wanted, track, at, time, (m, 1 - m), samples, solutions, never_reverse, forces, back)
+    return _way(region, wanted, track, drives_at, time, (m, 1 - m), samples, solutions, never_reverse, forces, back)
 
 
 Timing = Callable[[Array], Array]
@@ -182,14 +182,16 @@ def timed(
     found = sorted(tracks(region, wanted, off), key=lambda track: (-round(float(track.u[-1]), 9), -track.least))
     stretches = _stretches(region, wanted, found[0] if found else None, 1.0, False)
     if not found or stretches:
-        return Way(None, stretches, len(found), _said(region, wanted.path, stretches, motor))
+        return Way(None, stretches, len(found), _stretch_findings(region, wanted.path, stretches, motor))
 
-    def at(t: Array) -> tuple[Array, Array]:
+    def drives_at(t: Array) -> tuple[Array, Array]:
         zero = np.zeros_like(t)
         u = timing(t) if timing else np.stack([t / duration, zero + 1 / duration, zero])
         return _ruled(found[0].at(u[0]), u[1], u[2]), u[0]
 
-    return _way(region, wanted, found[0], at, duration, (m, 1 - m), samples, len(found), never_reverse, forces, False)
+    return _way(
+        region, wanted, found[0], drives_at, duration, (m, 1 - m), samples, len(found), never_reverse, forces, False
+    )
 
 
 def _ruled(nodes: Array, first: Array, second: Array) -> Array:
@@ -390,7 +392,9 @@ def outside(region: Region, wanted: TargetPath) -> tuple[BlockedStretch, ...]:
     return tuple(found)
 
 
-def _said(region: Region, path: Path_, stretches: tuple[BlockedStretch, ...], motor: str) -> tuple[Finding, ...]:
+def _stretch_findings(
+    region: Region, path: Path_, stretches: tuple[BlockedStretch, ...], motor: str
+) -> tuple[Finding, ...]:
     """What is to be said of stretches that can't be followed."""
     unit, size = region.sheet.compiled.quantities.unit_of(si.LENGTH)
     findings = []

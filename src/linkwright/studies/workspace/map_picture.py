@@ -96,7 +96,7 @@ def map_picture(
             where = zip(at, axes, strict=True)
             column, row = (np.rint((p - axis[0]) / (axis[1] - axis[0])).astype(int) for p, axis in where)
             best = int(inside[row, column].argmax())
-            x, y = map(float, plane.at(*at[:, best]))
+            x, y = map(float, plane.to_picture(*at[:, best]))
             far = min((np.hypot(x - a, y - b) for a, b in numbers), default=np.inf)
             if at.shape[1] > SHORT and inside[row[best], column[best]] >= INSIDE and far > APART:
                 place = f'x="{x:.1f}" y="{y + 4:.1f}" text-anchor="middle"'
@@ -126,8 +126,8 @@ def _bands(plane: PicturePlane, axes: tuple[Array, Array], rising: Array, count:
     bands = np.clip(np.floor(fine) + 1, 0, count).astype(np.uint8)
     data = b64encode(png(bands[::-1], colours(count + 1))).decode()
     half = (axes[0][1] - axes[0][0]) / FINER / 2
-    left, top = plane.at(axes[0][0] - half, axes[1][-1] + half)
-    right, bottom = plane.at(axes[0][-1] + half, axes[1][0] - half)
+    left, top = plane.to_picture(axes[0][0] - half, axes[1][-1] + half)
+    right, bottom = plane.to_picture(axes[0][-1] + half, axes[1][0] - half)
     place = f'x="{left:.2f}" y="{top:.2f}" width="{right - left:.2f}" height="{bottom - top:.2f}"'
     return f'<image {place} preserveAspectRatio="none" href="data:image/png;base64,{data}"/>'
 
@@ -158,7 +158,7 @@ def _lines(plane: PicturePlane, axes: tuple[Array, Array], values: Array) -> Ite
     grid = np.stack(np.meshgrid(*axes)).reshape(2, -1)
     a, b = flat[pairs[:, 0]], flat[pairs[:, 1]]
     at = grid[:, pairs[:, 0]] + a / (a - b) * (grid[:, pairs[:, 1]] - grid[:, pairs[:, 0]])
-    places = np.stack(plane.at(*at))
+    places = np.stack(plane.to_picture(*at))
     for chain in chained(ends):
         if len(chain) > 2:
             thin = shapely.simplify(shapely.linestrings(places[:, chain].T), 0.3)

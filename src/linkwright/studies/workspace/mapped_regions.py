@@ -34,9 +34,9 @@ class RegionMaps:
 
     def head(self, outcome: WorkspaceOutcome) -> dict[str, Any]:
         """Mode and values, as the region's own entry has them."""
-        return {"mode": self.reached.mode, **outcome.shown(self.workspace)}
+        return {"mode": self.reached.mode, **outcome.values_in_units(self.workspace)}
 
-    def told(self, outcome: WorkspaceOutcome) -> dict[str, Any]:
+    def map_entries(self, outcome: WorkspaceOutcome) -> dict[str, Any]:
         """Of each map its unit, the least and the greatest value."""
         made = {}
         for name, one in self.maps.maps.items():

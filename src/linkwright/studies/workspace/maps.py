@@ -74,13 +74,13 @@ class Maps:
 
     def least(self, name: str) -> MapExtreme | None:
         """The least value of a map; None where the mechanism can be assembled nowhere."""
-        return self.ends([name])[name][0]
+        return self.extremes([name])[name][0]
 
     def greatest(self, name: str) -> MapExtreme | None:
         """The greatest value of a map."""
-        return self.ends([name])[name][1]
+        return self.extremes([name])[name][1]
 
-    def ends(self, names: Sequence[str] | None = None) -> dict[str, tuple[MapExtreme | None, MapExtreme | None]]:
+    def extremes(self, names: Sequence[str] | None = None) -> dict[str, tuple[MapExtreme | None, MapExtreme | None]]:
         """The least and the greatest value of maps, of all by default: from the best places of the grid, on narrower
         and narrower grids around the best places so far."""
         names = [*self.maps] if names is None else names
@@ -150,13 +150,13 @@ def mapped(quantities: Quantities, box: DriveBox, steps: int, figures: Figures, 
     """Maps of the named figures on ``steps`` equal steps of each drive, ends included."""
     first, second = (np.linspace(a, b, steps + 1) for a, b in zip(box.low, box.high, strict=True))
     grid = np.stack(np.meshgrid(first, second, indexing="ij")).reshape(2, -1)
-    parts = together(figures, grid)
+    parts = evaluate_in_threads(figures, grid)
     rows = {name: parts[name].reshape(steps + 1, -1) for name in ("x", "y", *kinds)}
     made = {name: Map(name, rows[name], kind, *quantities.unit_of(kind)) for name, kind in kinds.items()}
     return Maps(box, (first, second), np.stack([rows["x"], rows["y"]]), made, figures)
 
 
-def together(figures: Figures, q: Array) -> dict[str, Array]:
+def evaluate_in_threads(figures: Figures, q: Array) -> dict[str, Array]:
     """All figures at many drive values (2, n), on as many threads as there are processors."""
     parts = [q[:, start : start + MOST] for start in range(0, q.shape[1], MOST)] or [q]
     found = [figures(parts[0])] if len(parts) == 1 else [*pool(processors()).map(figures, parts)]

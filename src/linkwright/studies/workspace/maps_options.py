@@ -78,7 +78,7 @@ class MapsAsked(Frozen):
         value = compiled.quantities.value
         return {name: tuple(sorted({value(v, kinds[name]) for v in vs})) for name, vs in self.levels.items()}
 
-    def shown(self, usual: Sequence[str]) -> tuple[str, ...]:
+    def shown_maps(self, usual: Sequence[str]) -> tuple[str, ...]:
         """The maps that are shown."""
         return tuple(dict.fromkeys(usual if self.show is None else self.show))
 

@@ -84,7 +84,7 @@ def quality_tables(outcome: WorkspaceOutcome) -> list[Table]:
     """The least and greatest values of the maps by region; singular positions."""
     entries, unit = _quality(outcome).as_dict(), Unit(outcome.compiled.quantities.unit_of(u.LENGTH)[0])
     maps = [
-        [*region_cells(outcome, entry), title(outcome, name), _ends(one), Unit(one["unit"] or UNKNOWN)]
+        [*region_cells(outcome, entry), title(outcome, name), _value_range(one), Unit(one["unit"] or UNKNOWN)]
         for entry in entries
         for name, one in entry["maps"].items()
     ]
@@ -107,7 +107,11 @@ def errors_tables(outcome: WorkspaceOutcome) -> list[Table]:
     for entry in part.as_dict():
         found = entry["maps"]
         rows = [(found[f"error {axis} least"]["least"], found[f"error {axis} most"]["greatest"]) for axis in "xy"]
-        told = [_ends(found["error worst"]), *(_between(*ends) for ends in rows), _ends(found["spread worst"])]
+        told = [
+            _value_range(found["error worst"]),
+            *(_between(*ends) for ends in rows),
+            _value_range(found["spread worst"]),
+        ]
         unit, front = entry["unit"], region_cells(outcome, entry)
         errors.append([*front, *told, Unit(unit)])
         whats = [entry[kind] for kind in ("guaranteed", "precise") if kind in entry]
@@ -131,7 +135,7 @@ def title(outcome: WorkspaceOutcome, name: str) -> Said:
     return Said(f"workspace.map.{name.replace(' ', '-')}", determinant=by_drives(outcome), point=outcome.point)
 
 
-def _ends(one: dict[str, Any]) -> Numbers:
+def _value_range(one: dict[str, Any]) -> Numbers:
     return _between(one["least"], one["greatest"])
 
 
@@ -186,7 +190,7 @@ class _Pictured:
         over, legend = _over(self.part, one, self.plane, self.size)
         found = self.found[id(one)]
         axes = (found.x / self.size, found.y / self.size)
-        values_text = outcome.told(one.workspace)
+        values_text = outcome.values_text(one.workspace)
         told = Said("workspace.for", values=values_text) if values_text else ""
         data = {"point": outcome.point, "mode": one.reached.mode or Said("workspace.one-mode"), "values": told}
         for name in self.part.shown:
@@ -237,7 +241,7 @@ def errors_shapes(outcome: WorkspaceOutcome) -> Iterator[tuple[Any, dict[str, An
     """What is sure of each region."""
     part = _errors(outcome)
     for one, entry in zip(part.regions, part.as_dict(), strict=True):
-        told = {"mode": one.reached.mode, "values": outcome.shown(one.workspace)}
+        told = {"mode": one.reached.mode, "values": outcome.values_in_units(one.workspace)}
         for kind, shape in (("guaranteed", one.sure.shape), ("precise", one.sure.precise)):
             if shape is not None:
                 limit = {"limit": entry[kind]["limit"]} if kind == "precise" else {}
@@ -271,7 +275,7 @@ def _csv(part: Part | None) -> str | None:
 
 def _rows(part: Part, stride: int, sizes: Array) -> Iterable[list[str]]:
     for one in part.regions:
-        values = part.outcome.shown(one.workspace).values()
+        values = part.outcome.values_in_units(one.workspace).values()
         front = [*map(cell, values), one.reached.mode]
         q = np.stack(np.meshgrid(*one.maps.axes, indexing="ij"))
         columns = np.concatenate([q, one.maps.at, [found.values for found in one.maps.maps.values()]])

@@ -89,7 +89,7 @@ def mesh(sheet: ModeSheet, box: DriveBox, steps: int, pits: Array | None = None)
     def inside(q: Array) -> NDArray[np.bool_]:
         return (sheet.place(q)[1] > RIM) & (away(q) > AROUND)
 
-    q, triangles, rim = cut(inside, q, squares)
+    q, triangles, rim = cut_triangles(inside, q, squares)
     limit = _limits(q, triangles, box)
     ring = (np.abs(away(q) - AROUND) < 1e-6)[rim].all(axis=1) if centres.size else np.zeros(len(rim), dtype=bool)
     q, inner, ends = _pitted(q, rim[ring], centres, step)
@@ -184,7 +184,7 @@ def _lowest(here: Array, around: Array) -> Array:
     return np.asarray(np.clip(np.nan_to_num(found, posinf=0.0, neginf=0.0), -3.0, 3.0))
 
 
-def cut(within: Callable[[Array], NDArray[np.bool_]], q: Array, triangles: Rows) -> tuple[Array, Rows, Rows]:
+def cut_triangles(within: Callable[[Array], NDArray[np.bool_]], q: Array, triangles: Rows) -> tuple[Array, Rows, Rows]:
     """The parts of triangles inside, with new corners on the rim."""
     inside = within(q)
     count = inside[triangles].sum(axis=1)

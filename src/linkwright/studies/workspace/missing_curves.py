@@ -61,7 +61,7 @@ def missed(
         on = [_on(places, drawn, (a + share * (b - a))[:, own], asked, near) for share in SHARES]
         own = own[~np.all(on, axis=0)]
         way = (b - a)[:, own]
-        first, last = (_ends(places, branch, end[:, own], way, chord) for end in (a, b))
+        first, last = (_drives_at_ends(places, branch, end[:, own], way, chord) for end in (a, b))
         last = first + _nearest(places, last - first)  # beyond a seam, where a piece lies across it
         known = np.isfinite(first).all(axis=0) & np.isfinite(last).all(axis=0)
         if known.any():
@@ -85,7 +85,7 @@ def _on(places: ModePlaces, drawn: DrivePaths, at: Array, values: Array | None, 
     return found
 
 
-def _ends(places: ModePlaces, branch: int | None, at: Array, along: Array, chord: float) -> Array:
+def _drives_at_ends(places: ModePlaces, branch: int | None, at: Array, along: Array, chord: float) -> Array:
     """The drives' values (2, n) at ends of pieces, NaN where there are none."""
     found = np.full_like(at, np.nan)
     for share in INWARD:

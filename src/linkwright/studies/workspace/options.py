@@ -94,7 +94,7 @@ class WorkspaceOptions(Frozen):
             return low, high
         return (0.0, TURN) if compiled.mechanism.prescribed(drive).turns else stroke(compiled, drive)
 
-    def stated(self, compiled: Compiled, drive: str) -> tuple[tuple[float, float] | None, list[Finding]]:
+    def range_and_faults(self, compiled: Compiled, drive: str) -> tuple[tuple[float, float] | None, list[Finding]]:
         """The same, and what is wrong with one that is stated."""
         if drive not in self.drives:
             return self.range(compiled, drive), []
@@ -177,7 +177,7 @@ def _drives(compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
     for drive in compiled.graph.drives:
         path = (*PATH, "drives", drive)
         unit, size = compiled.quantities.drive_unit(drive)
-        found, wrong = options.stated(compiled, drive)
+        found, wrong = options.range_and_faults(compiled, drive)
         yield from wrong
         if found is None:
             if not wrong:

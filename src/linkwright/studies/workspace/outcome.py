@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 
-def shown(compiled: Compiled, values: Mapping[str, float]) -> dict[str, float]:
+def in_units(compiled: Compiled, values: Mapping[str, float]) -> dict[str, float]:
     """Values of parameters in their units; angles in the file's."""
     quantities = compiled.quantities
     sizes = {name: quantities.unit_of(quantities.dimensions.of(name))[1] for name in values}
@@ -36,7 +36,7 @@ def values_text(compiled: Compiled, values: Mapping[str, float]) -> str:
     """The same in a line."""
     quantities = compiled.quantities
     units = {name: quantities.unit_of(quantities.dimensions.of(name))[0] for name in values}
-    return ", ".join(f"{name} = {v:.6g} {units[name]}".strip() for name, v in shown(compiled, values).items())
+    return ", ".join(f"{name} = {v:.6g} {units[name]}".strip() for name, v in in_units(compiled, values).items())
 
 
 @dataclass(frozen=True)
@@ -134,11 +134,11 @@ class WorkspaceOutcome:
         """The working point."""
         return self.options.point
 
-    def shown(self, one: Workspace) -> dict[str, float]:
+    def values_in_units(self, one: Workspace) -> dict[str, float]:
         """The varied parameters of a workspace by name, in their units; angles in the file's."""
-        return shown(self.compiled, one.values)
+        return in_units(self.compiled, one.values)
 
-    def told(self, one: Workspace) -> str:
+    def values_text(self, one: Workspace) -> str:
         """The same in a line."""
         return values_text(self.compiled, one.values)
 

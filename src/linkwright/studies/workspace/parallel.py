@@ -16,7 +16,7 @@ LOOK = 0.5
 """Seconds after which a wait looks up, where a system's own wait can't be interrupted."""
 
 
-def together(
+def run_in_threads(
     work: Callable[[Item], Result], items: Sequence[Item], workers: int, progress: Progress | None = None
 ) -> tuple[dict[int, Result], bool]:
     """What comes of items, by their numbers, and whether an interrupt has stopped it: then those at work are waited

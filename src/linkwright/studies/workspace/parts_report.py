@@ -76,6 +76,6 @@ def _where(key: str, content: Callable[[WorkspaceOutcome], Any]) -> Callable[[Wo
 FILES = {name: _where(key, content) for key, part in WRITTEN.items() for name, content in part.files.items()}
 
 
-def written(outcome: WorkspaceOutcome) -> list[SectionDocument]:
+def section_documents(outcome: WorkspaceOutcome) -> list[SectionDocument]:
     """How the parts that an outcome has are written."""
     return [part for name, part in WRITTEN.items() if name in outcome.parts]

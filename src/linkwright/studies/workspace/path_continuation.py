@@ -88,7 +88,7 @@ class SheetWithRates:
         look = self.look(q, slope)
         return np.stack([q, slope, divided(look.jacobian, path[2] - look.bend)]), look
 
-    def closed(self, q: Array, places: Array) -> tuple[Array, NDArray[np.bool_]]:
+    def solve_drives(self, q: Array, places: Array) -> tuple[Array, NDArray[np.bool_]]:
         """Drive values at which the working point is at places (2, n), by Newton's method from ``q``; which were
         found."""
         done, last = np.zeros(q.shape[1], dtype=bool), np.full(q.shape[1], np.inf)
@@ -153,7 +153,7 @@ class SolutionTrack:
         """The drives with two derivatives by u, (3, 2, n), to round-off but for bridges."""
         path, given = self.wanted.of(u), self.bridged(u)
         made = self.along(u)
-        q, _ = self.mover.closed(made[0][:, ~given], path[0][:, ~given])
+        q, _ = self.mover.solve_drives(made[0][:, ~given], path[0][:, ~given])
         made[:, :, ~given] = self.mover.along(q, path[:, :, ~given])[0]
         return made
 
@@ -180,7 +180,9 @@ def tracks(region: Region, wanted: TargetPath, off: float | None = None) -> list
     position is passed, the point may be ``off`` the path (m), :data:`OFF` of the largest link if not said."""
     mover = SheetWithRates(region.sheet)
     off = OFF * region.sheet.compiled.graph.size if off is None else off
-    found = [_followed(mover, region.box, wanted, start, off) for start in starts(region, wanted.of(np.zeros(1))[0]).T]
+    found = [
+        _follow_path(mover, region.box, wanted, start, off) for start in starts(region, wanted.of(np.zeros(1))[0]).T
+    ]
     return sorted(found, key=lambda track: -float(track.u[-1]))
 
 
@@ -208,9 +210,9 @@ def starts(region: Region, place: Array) -> Array:
     return np.array(found).reshape(-1, 2).T
 
 
-def _followed(mover: SheetWithRates, box: DriveBox, wanted: TargetPath, start: Array, off: float) -> SolutionTrack:
+def _follow_path(mover: SheetWithRates, box: DriveBox, wanted: TargetPath, start: Array, off: float) -> SolutionTrack:
     scale = box.size[:, None] / (2 * np.pi)
-    q, _ = mover.closed(start[:, None], wanted.of(np.zeros(1))[0])
+    q, _ = mover.solve_drives(start[:, None], wanted.of(np.zeros(1))[0])
     turns = np.floor((q[:, 0] - np.array(box.low)) / (2 * np.pi) + SAME)
     q -= np.where(box.turns, 2 * np.pi * turns, 0.0)[:, None]
     node, look = mover.along(q, wanted.of(np.zeros(1)))
@@ -223,7 +225,7 @@ def _followed(mover: SheetWithRates, box: DriveBox, wanted: TargetPath, start: A
         foretold = node[0] + step * node[1] + step**2 / 2 * node[2]
         path = wanted.of(np.array([ahead]))
         with np.errstate(all="ignore"):
-            q, ok = mover.closed(foretold, path[0])
+            q, ok = mover.solve_drives(foretold, path[0])
             close = ok & (np.abs(q - foretold) / scale <= NEAR).all() & (np.abs(q - node[0]) / scale <= FAR).all()
         outside = box_left(box, q[:, 0])
         good = False

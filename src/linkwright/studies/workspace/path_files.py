@@ -14,7 +14,7 @@ from linkwright.findings import Said
 from linkwright.model.csv_text import cell, head, table_text
 from linkwright.model.yaml_write import write_text
 from linkwright.studies.workspace.inverse_kinematics import ServoLaw
-from linkwright.studies.workspace.outcome import WorkspaceOutcome, shown, values_text
+from linkwright.studies.workspace.outcome import WorkspaceOutcome, in_units, values_text
 from linkwright.studies.workspace.path_outcome import Attempt, PathsOutcome
 from linkwright.studies.workspace.yaml_snippet import pasted
 
@@ -47,7 +47,7 @@ def _rows(part: PathsOutcome, found: list[tuple[Attempt, ServoLaw]], names: list
     quantities = part.compiled.quantities
     size, second = quantities.unit_of(u.LENGTH)[1], quantities.unit_of(u.TIME)[1]
     for one, law in found:
-        values = shown(part.compiled, one.workspace.values)
+        values = in_units(part.compiled, one.workspace.values)
         front = [one.name, *(cell(values[name]) for name in names), one.reached.mode]
         columns = [law.t / second, law.u, *(law.point / size)]
         for drive in part.compiled.graph.drives:
@@ -81,7 +81,7 @@ def _entries(part: PathsOutcome, one: Attempt, law: ServoLaw) -> str:
     rules = dict(rule.split(": ", 1) for rule in one.reached.mode.split("; ") if ": " in rule)
     values = {
         name: f"{value!r} {compiled.quantities.unit_of(compiled.quantities.dimensions.of(name))[0]}".strip()
-        for name, value in shown(compiled, one.workspace.values).items()
+        for name, value in in_units(compiled, one.workspace.values).items()
     }
     sections = {"parameters": values, "assembly": rules, "tables": made.tables, "drives": drives}
     about = [Said("paths.pasted", point=part.point, path=one.name), one.reached.mode]

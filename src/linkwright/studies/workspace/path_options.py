@@ -24,7 +24,15 @@ from linkwright.model.actions import FileBeside
 from linkwright.studies import numbers
 from linkwright.studies.numbers import constant
 from linkwright.studies.sampling_options import one_of
-from linkwright.studies.workspace.target_path import PATH, Path_, TargetPath, from_csv, from_dxf, from_formula, through
+from linkwright.studies.workspace.target_path import (
+    PATH,
+    Path_,
+    TargetPath,
+    from_csv,
+    from_dxf,
+    from_formula,
+    path_through_points,
+)
 
 if TYPE_CHECKING:
     from linkwright.studies.workspace.options import WorkspaceOptions
@@ -112,7 +120,7 @@ def _check(compiled: Compiled, path: WantedPath, at: Path_) -> Iterator[Finding]
         if wrong:
             return
     try:
-        wanted(compiled, path, at, compiled.quantities.parameters)
+        build_path(compiled, path, at, compiled.quantities.parameters)
     except ModelError as error:
         yield from error.findings
 
@@ -128,7 +136,7 @@ def positive(compiled: Compiled, expression: Expression, dimension: u.Dimension,
     return numbers.positive(compiled.quantities, expression, dimension, at, "workspace.not-positive", **data)[1]
 
 
-def wanted(compiled: Compiled, path: WantedPath, at: Path_, parameters: Mapping[str, float]) -> TargetPath:
+def build_path(compiled: Compiled, path: WantedPath, at: Path_, parameters: Mapping[str, float]) -> TargetPath:
     """The path itself, for values of the parameters (SI). Raises ModelError."""
     quantities, source = compiled.quantities, (*at, next(key for key in SOURCES if getattr(path, key) is not None))
     if path.file is not None:
@@ -137,7 +145,7 @@ def wanted(compiled: Compiled, path: WantedPath, at: Path_, parameters: Mapping[
         made = from_dxf(path.drawing, quantities.unit_of(u.LENGTH)[1], compiled.folder, path.layer, source)
     elif path.points is not None:
         points = [[valued(compiled, value, u.LENGTH, parameters) for value in point] for point in path.points]
-        made = through(np.array(points).reshape(-1, 2), path.between, source)
+        made = path_through_points(np.array(points).reshape(-1, 2), path.between, source)
     else:
         assert path.x is not None and path.y is not None
         made = from_formula(quantities, path.x.text, path.y.text, at, parameters)

@@ -16,8 +16,8 @@ from linkwright.findings import Finding, ModelError, raise_errors
 from linkwright.kernels import Compiled
 from linkwright.presentation.json_numbers import known
 from linkwright.studies.workspace.inverse_kinematics import ServoLaw, Way, free, timed
-from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, shown
-from linkwright.studies.workspace.path_options import WantedPath, WantedPaths, rate_of, wanted
+from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, in_units
+from linkwright.studies.workspace.path_options import WantedPath, WantedPaths, build_path, rate_of
 from linkwright.studies.workspace.target_path import PATH, TargetPath
 
 Array = NDArray[np.float64]
@@ -42,7 +42,7 @@ class Attempt:
         return self.way.law
 
     @property
-    def kept(self) -> bool:
+    def is_feasible(self) -> bool:
         """Whether it can be followed as it is asked."""
         return self.law is not None and not any(one.severity == "error" for one in self.way.findings)
 
@@ -55,7 +55,7 @@ class Attempt:
             blocked |= (np.linspace(0, 1, 1001) >= one.start) & (np.linspace(0, 1, 1001) <= one.stop)
         law = self.law
         room = (0.0, 0.0) if law is None else (law.determinant, law.closure)
-        return (self.kept, law is not None, 1.0 - float(blocked.mean()), *room)
+        return (self.is_feasible, law is not None, 1.0 - float(blocked.mean()), *room)
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,9 +92,9 @@ class PathsOutcome:
         entry = {
             "path": one.name,
             "mode": one.reached.mode,
-            **shown(self.compiled, one.workspace.values),
+            **in_units(self.compiled, one.workspace.values),
             "followed": one.law is not None,
-            "kept": one.kept,
+            "kept": one.is_feasible,
             "best": self.best[one.name] is one,
             "unit": unit,
             "stretches": stretches,
@@ -166,7 +166,7 @@ def follow(paths: WantedPaths, outcome: WorkspaceOutcome) -> PathsOutcome:
         for name, path in paths.root.items():
             parameters = parameters_of(one, compiled)
             try:
-                way = wanted(compiled, path, (*PATH, name), parameters)
+                way = build_path(compiled, path, (*PATH, name), parameters)
             except ModelError as error:
                 wrong += [finding for finding in error.findings if finding not in wrong]
                 continue
@@ -175,7 +175,7 @@ def follow(paths: WantedPaths, outcome: WorkspaceOutcome) -> PathsOutcome:
     raise_errors(wrong)
     found = PathsOutcome(compiled, outcome.point, tuple(attempts))
     for name, best in found.best.items():
-        if best.kept:
+        if best.is_feasible:
             outcome.warnings += best.way.findings
             continue
         tried = sum(one.name == name for one in attempts)
@@ -224,6 +224,6 @@ def from_rest(time: float) -> Any:
 
 
 def _nowhere(outcome: WorkspaceOutcome, best: Attempt, tried: int) -> Finding:
-    values = outcome.told(best.workspace)
+    values = outcome.values_text(best.workspace)
     data = {"name": best.name, "count": tried, "mode": best.reached.mode or "-", "values": values or "-"}
     return Finding("workspace.path-none", (*PATH, best.name), data)

@@ -41,7 +41,7 @@ def path_tables(outcome: WorkspaceOutcome) -> list[Table]:
     own = ("followed", "duration", "reversals", "dead", "residual", "determinant", "share")
     rows, drives = list[list[Cell]](), list[list[Cell]]()
     for entry in part.as_dict():
-        rows.append([entry["path"], *region_cells(outcome, entry), *_told(entry)])
+        rows.append([entry["path"], *region_cells(outcome, entry), *_path_cells(entry)])
         if entry["followed"] and entry["best"]:
             drives += [[entry["path"], name, *_drive(told)] for name, told in entry["drives"].items()]
     columns = ("path", "drive", "value", "speed", "acceleration", "effort", "power", "work")
@@ -51,7 +51,7 @@ def path_tables(outcome: WorkspaceOutcome) -> list[Table]:
     ]
 
 
-def _told(entry: dict[str, Any]) -> list[Cell]:
+def _path_cells(entry: dict[str, Any]) -> list[Cell]:
     if not entry["followed"]:
         texts = [_stretch(one, entry["unit"]) for one in entry["stretches"]]
         told = Said("paths.not", stretches=Joined(texts, "; ")) if texts else Said("paths.nothing")

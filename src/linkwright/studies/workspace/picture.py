@@ -16,7 +16,7 @@ from linkwright.presentation.blocks import Area, Chart
 from linkwright.studies.workspace.curve_lines import lines
 from linkwright.studies.workspace.outcome import Workspace, WorkspaceOutcome
 from linkwright.studies.workspace.overlay import Overlay
-from linkwright.studies.workspace.parts_report import written
+from linkwright.studies.workspace.parts_report import section_documents
 from linkwright.studies.workspace.shapes import pieces
 from linkwright.studies.workspace.steps import SliderSteps
 
@@ -35,7 +35,7 @@ def pictures(outcome: WorkspaceOutcome) -> Sequence[Chart]:
     bounds = framed_box(shape.bounds for shape in (*drawn, *(overlay for some in overlays for overlay in some)))
     charts: list[Chart] = []
     for one, over in zip(outcome.workspaces, overlays, strict=True):
-        text = outcome.told(one)
+        text = outcome.values_text(one)
         told = Said("workspace.for", values=text) if text else ""
         title = Said("workspace.picture", point=outcome.point, values=told)
         charts.append(steps.chart(one, "regions", title, partial(picture, outcome, one, title, bounds, over)))
@@ -43,7 +43,7 @@ def pictures(outcome: WorkspaceOutcome) -> Sequence[Chart]:
 
 
 def _over(outcome: WorkspaceOutcome, index: int) -> list[Overlay]:
-    return [overlay for part in written(outcome) for overlay in part.overlays(outcome, index)]
+    return [overlay for part in section_documents(outcome) for overlay in part.overlays(outcome, index)]
 
 
 def picture(outcome: WorkspaceOutcome, one: Workspace, title: Text, box: Bounds, over: Sequence[Overlay] = ()) -> str:
@@ -58,7 +58,7 @@ def picture(outcome: WorkspaceOutcome, one: Workspace, title: Text, box: Bounds,
         legend.append((f"region m{i % 4}", text))
     for i, curve in enumerate(one.curves):
         for stretch in curve.stretches:
-            way = points(*plane.at(*(stretch.at / size)))
+            way = points(*plane.to_picture(*(stretch.at / size)))
             shapes.append(f'<polyline class="path m{i % 4}" points="{way}"/>')
         legend.append((f"path m{i % 4}", Said("workspace.kind.curve", mode=curve.mode or Said("workspace.one-mode"))))
     for kind in KINDS:
@@ -70,7 +70,9 @@ def picture(outcome: WorkspaceOutcome, one: Workspace, title: Text, box: Bounds,
             legend.append((f"kind k-{kind}", Said(f"workspace.kind.{kind}", **data)))
     for overlay in over:
         for line in overlay.lines:
-            shapes.append(f'<polyline class="over {overlay.kind}" points="{points(*plane.at(*(line / size)))}"/>')
+            shapes.append(
+                f'<polyline class="over {overlay.kind}" points="{points(*plane.to_picture(*(line / size)))}"/>'
+            )
         legend.append((f"over {overlay.kind}", overlay.text))
     return framed(plane, shapes, legend, title)
 

@@ -148,7 +148,7 @@ class ModePlaces:
         """The program's rows at places (2, n) and the rooms of platforms, in all poses: (rows, poses, n)."""
         count, n = len(self.branches), at.shape[1]
         x = np.concatenate([np.tile(at, count), np.repeat(self.branches, n, axis=0).T])
-        x, rooms = self.platforms.at(x)
+        x, rooms = self.platforms.poses_at(x)
         with np.errstate(all="ignore"):
             found = self.poses.kernel.run(x.reshape(len(x), x[0].size), self.sheet.parameters)
         found = np.concatenate([found, rooms.reshape(len(rooms), x[0].size)])
@@ -231,9 +231,9 @@ class ModePlaces:
             rows = [*self._stage(sets.x.__getitem__), *sets.rooms]
             forms = [self._mixed(rows, coefficients) for coefficients in self.rows]
         found = np.stack([one.parts(sets.of.size) for one in forms], axis=1)
-        return (found, sets.of) if self.poses_each == 1 else self._whole(found, sets)
+        return (found, sets.of) if self.poses_each == 1 else self._merge_pieces(found, sets)
 
-    def _whole(self, parts: Array, sets: Sets) -> tuple[Array, Rows]:
+    def _merge_pieces(self, parts: Array, sets: Sets) -> tuple[Array, Rows]:
         """Sets of poses from their pieces, (4, functions, pieces): what holds all of these but those with a negative
         function, which the mode doesn't reach; where it has such, no pose of the set is sure."""
         low, high = AffineForm(*parts).bounds

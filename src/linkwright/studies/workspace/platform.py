@@ -117,7 +117,7 @@ class OnePlatform:
         complete = (number == told.most) & (number > 0) & ~_shared(stretch, most, told.of.size)
         own = in_whole(stretch, complete)
         rest = told.select(~complete)
-        piece, others = self._together(x, rest)
+        piece, others = self._pieces_of_poses(x, rest)
         sets = [joined_forms([one.select(own), other]) for one, other in zip(pose, others, strict=True)]
         which, room = np.append(np.arange(own.size), own.size + piece), rest.room.select(piece)
         return np.append(of[own], rest.of[piece]), which, sets, joined_forms([AffineForm(np.ones(own.size)), room])
@@ -141,7 +141,7 @@ class OnePlatform:
         ends = np.array([one.bounds for one in away]) + pose[:, None]
         return of, pose[0], posed(away), (ends[:, 0], ends[:, 1]), proven
 
-    def _together(self, x: list[AffineForm], told: Stretches) -> tuple[Rows, list[AffineForm]]:
+    def _pieces_of_poses(self, x: list[AffineForm], told: Stretches) -> tuple[Rows, list[AffineForm]]:
         """Pieces of all poses in stretches of angles: of which stretch each is, and its forms. Two legs meet in two
         places at an angle; the third may leave both."""
         count = np.where(told.half < WIDE, np.clip(np.ceil(told.half / FINE), 1, PIECES), 1).astype(int)

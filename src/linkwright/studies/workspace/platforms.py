@@ -24,7 +24,7 @@ class Platforms:
         self.most = MOST ** len(self._each)
         """So many poses there are at most of each choice of branches."""
 
-    def at(self, x: Array) -> tuple[Array, Array]:
+    def poses_at(self, x: Array) -> tuple[Array, Array]:
         """The program's inputs (inputs, n) with the platforms' poses, (inputs, most, n), NaN where there is none; and
         the rooms of each, (triads, most, n)."""
         n = x.shape[1]

@@ -44,10 +44,12 @@ def unfit(compiled: Compiled, options: WorkspaceOptions, path: tuple[str, ...]) 
     for values in options.values(compiled):
         sheet.parameters = Varied(compiled, tuple(values)).parameters(np.array([*values.values()])[:, None])[:, 0]
         if (where := _parallel(sheet, q)) is not None:
-            yield Finding("workspace.unbounded", (*path, "drives"), {"name": options.point, **_told(compiled, where)})
+            yield Finding(
+                "workspace.unbounded", (*path, "drives"), {"name": options.point, **_drive_values(compiled, where)}
+            )
             return
-        if (where := _met(sheet, box, q)) is not None:
-            yield Finding("workspace.pins-meet", (*path, "drives"), _told(compiled, where))
+        if (where := _meeting_drives(sheet, box, q)) is not None:
+            yield Finding("workspace.pins-meet", (*path, "drives"), _drive_values(compiled, where))
             return
 
 
@@ -65,7 +67,7 @@ def _parallel(sheet: ModeSheet, q: Array) -> Array | None:
     return None
 
 
-def _met(sheet: ModeSheet, box: DriveBox, q: Array) -> Array | None:
+def _meeting_drives(sheet: ModeSheet, box: DriveBox, q: Array) -> Array | None:
     """Drive values (2,) at which outer pins of a group meet at an end of a range, or along a curve."""
     look = sheet.look(q.reshape(2, -1))
     with np.errstate(all="ignore"):
@@ -91,7 +93,7 @@ def _met(sheet: ModeSheet, box: DriveBox, q: Array) -> Array | None:
     return chosen[:, 0] if chosen.size else None
 
 
-def _told(compiled: Compiled, where: Array) -> Mapping[str, Any]:
+def _drive_values(compiled: Compiled, where: Array) -> Mapping[str, Any]:
     at = []
     for drive, value in zip(compiled.graph.drives, where.tolist(), strict=True):
         unit, size = compiled.quantities.drive_unit(drive)

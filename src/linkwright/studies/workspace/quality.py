@@ -156,12 +156,12 @@ class _Measuring:
             y = self.engine.run(x, self.sheet.parameters)
             outside = ~(y[4 : 4 + count, :n] > 0).all(axis=0)
             first, second = y[2:4, :n], y[2:4, n:]
-            found = {"x": y[0, :n], "y": y[1, :n], **self._of(first, second)}
+            found = {"x": y[0, :n], "y": y[1, :n], **self._jacobian_measures(first, second)}
             if "transmission" in self.kinds:
                 found["transmission"] = np.arcsin(np.minimum(np.abs(y[4 + count :, :n]).min(axis=0), 1.0))
         return {name: np.where(outside, np.nan, row) for name, row in found.items()}
 
-    def _of(self, a: Array, b: Array) -> dict[str, Array]:
+    def _jacobian_measures(self, a: Array, b: Array) -> dict[str, Array]:
         """What follows from the two columns of J, (2, n) each."""
         determinant = np.abs(a[0] * b[1] - a[1] * b[0])
         found = {"condition": _condition(a / self.arms[0], b / self.arms[1]), "manipulability": determinant}

@@ -45,7 +45,7 @@ class RegionQuality(RegionMaps):
         """From its maps."""
         box = reached.region.box
         loci = [counted(kind, [one for one in found.loci if one.kind == kind], box) for kind in KINDS]
-        return cls(workspace, reached, found.maps, found.maps.ends(), loci)
+        return cls(workspace, reached, found.maps, found.maps.extremes(), loci)
 
 
 @dataclass(eq=False)
@@ -66,7 +66,7 @@ class QualityPart:
             {
                 **one.head(self.outcome),
                 "steps": self.steps,
-                "maps": one.told(self.outcome),
+                "maps": one.map_entries(self.outcome),
                 "loci": [
                     {
                         "kind": found.kind,
@@ -120,7 +120,7 @@ def quality_part(options: QualityOptions, outcome: WorkspaceOutcome) -> QualityP
     compiled = outcome.compiled
     task = options.task(compiled)[0]
     known = kinds(compiled, task)
-    shown = options.shown([name for name in USUAL if name in known])
+    shown = options.shown_maps([name for name in USUAL if name in known])
     part = QualityPart(outcome, options.steps, shown, options.lines(compiled, known))
     assert outcome.box is not None
     for workspace in outcome.workspaces:

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.studies.workspace import mesh as meshes
-from linkwright.studies.workspace.maps import Maps, together
+from linkwright.studies.workspace.maps import Maps, evaluate_in_threads
 from linkwright.studies.workspace.regions import Region
 from linkwright.studies.workspace.sheet import ModeSheet
 
@@ -54,7 +54,7 @@ class Raster:
 def raster(region: Region, maps: Maps, cells: int) -> Raster:
     """Over the bounds of a region, so many cells along the longer side."""
     x, y, rows, q = _poses(region, cells)
-    return Raster(x, y, rows, q, together(maps.figures, q))
+    return Raster(x, y, rows, q, evaluate_in_threads(maps.figures, q))
 
 
 @lru_cache(maxsize=16)  # maps of quality and of errors want the same
@@ -69,7 +69,7 @@ def _poses(region: Region, cells: int) -> tuple[Array, Array, Rows, Array]:
     made = region.mesh if len(region.mesh.triangles) < MOST else meshes.mesh(sheet, box, STEPS)
     at = sheet.place(made.q)[0]
     triangles = made.triangles[np.isfinite(at[:, made.triangles]).all(axis=(0, 2))]
-    rows, which, shares = _held(at[:, triangles], x, y)
+    rows, which, shares = _places_in_triangles(at[:, triangles], x, y)
     q = np.einsum("ank,nk->an", made.q[:, triangles[which]], shares)
     places = np.stack([x[rows % x.size], y[rows // x.size]])
     q, off = _nearer(sheet, q, places, NEAR * step, np.divide(box.size, STEPS))
@@ -77,7 +77,7 @@ def _poses(region: Region, cells: int) -> tuple[Array, Array, Rows, Array]:
     return x, y, rows[found], q[:, found]
 
 
-def _held(at: Array, x: Array, y: Array) -> tuple[Rows, Rows, Array]:
+def _places_in_triangles(at: Array, x: Array, y: Array) -> tuple[Rows, Rows, Array]:
     """The places of a grid within triangles at (2, n, 3): their numbers, those of the triangles, the shares (m, 3) of
     its corners."""
     step, start = x[1] - x[0], np.array([x[0], y[0]])[:, None]

@@ -105,14 +105,14 @@ class RegionFiles:
         notes = []
         try:
             if (saved := file.read()) is not None:
-                return _taken(saved.arrays, outside)
+                return _unpacked(saved.arrays, outside)
         except (ModelError, UnpackError) as fault:
             if isinstance(fault, ModelError) and any(finding.code not in NOTED for finding in fault.findings):
                 raise
             notes = [Finding("workspace.part-damaged", PATH, {"file": str(file.path)}, severity="note")]
         arrays = pack(self.find(work), {ModeSheet: "sheet"})
         replace(file, anew=True).write(1, arrays)
-        found, warnings = _taken(arrays, outside)
+        found, warnings = _unpacked(arrays, outside)
         return found, [*warnings, *notes]
 
     def _file(self, work: Work) -> Checkpoint:
@@ -122,6 +122,6 @@ class RegionFiles:
         return Checkpoint(self.folder / f"{key[:DIGITS]}.region", key, self.fresh, self.versions)
 
 
-def _taken(arrays: dict[str, NDArray[Any]], outside: dict[str, ModeSheet]) -> Found:
+def _unpacked(arrays: dict[str, NDArray[Any]], outside: dict[str, ModeSheet]) -> Found:
     found, warnings = unpack(arrays, "linkwright", outside)
     return found, warnings

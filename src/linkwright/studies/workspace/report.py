@@ -14,7 +14,7 @@ from linkwright.presentation.json_numbers import known
 from linkwright.studies.workspace.certificate import RegionCertificate
 from linkwright.studies.workspace.doubts import sized
 from linkwright.studies.workspace.outcome import Workspace, WorkspaceOutcome
-from linkwright.studies.workspace.parts_report import written
+from linkwright.studies.workspace.parts_report import section_documents
 from linkwright.studies.workspace.picture import areas, pictures
 from linkwright.studies.workspace.region_columns import mode_cell, value_cells, value_heads
 from linkwright.studies.workspace.shapes import ShapeFigures, figures
@@ -26,15 +26,15 @@ def workspace_entry(outcome: WorkspaceOutcome) -> dict[str, Any]:
     unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
     regions, unions, overlaps, curves, turning = [], [], [], [], []
     for one in outcome.workspaces:
-        values = outcome.shown(one)
+        values = outcome.values_in_units(one)
         for reached in one.regions:
             region = reached.region
             more = {"unit": unit, "steps": region.steps, "rough": region.rough / size}
             more["certificate"] = certificate_entry(region.certificate, size)
-            regions.append({"mode": reached.mode, **values, **_told(reached.figures, size), **more})
+            regions.append({"mode": reached.mode, **values, **_shape_entry(reached.figures, size), **more})
         if one.regions:
             both = sum_of_overlaps(one)
-            unions.append({**values, **_told(figures(one.union), size), "several": both / size**2, "unit": unit})
+            unions.append({**values, **_shape_entry(figures(one.union), size), "several": both / size**2, "unit": unit})
         for overlap in one.overlaps:
             first, second = one.regions[overlap.first], one.regions[overlap.second]
             told = figures(overlap.shape)
@@ -87,7 +87,7 @@ def _bounds(bounds: tuple[float, ...], size: float) -> list[float | None]:
     return [known(edge / size) for edge in bounds]
 
 
-def _told(found: ShapeFigures, size: float) -> dict[str, Any]:
+def _shape_entry(found: ShapeFigures, size: float) -> dict[str, Any]:
     return {
         "area": found.area / size**2,
         "perimeter": found.perimeter / size,
@@ -110,7 +110,7 @@ def _drives(outcome: WorkspaceOutcome) -> dict[str, Any]:
 def report(outcome: WorkspaceOutcome) -> StudyReport:
     """What was found, pictures for all values of varied parameters, tables."""
     summary = workspace_entry(outcome)
-    drawn = [*pictures(outcome), *(chart for part in written(outcome) for chart in part.charts(outcome))]
+    drawn = [*pictures(outcome), *(chart for part in section_documents(outcome) for chart in part.charts(outcome))]
     blocks: list[Block] = [
         Sentences(workspace_sentences(outcome)),
         Charts(drawn, SliderSteps(outcome).sliders()),
@@ -132,7 +132,7 @@ def workspace_sentences(outcome: WorkspaceOutcome) -> list[Text]:
     if rough > outcome.chord:
         told.append(Said("workspace.rough", rough=f"{rough / size:.2g}", unit=unit))
     told += _proven([one.region.certificate for one in outcome.regions], unit, size)
-    return [*told, *(text for part in written(outcome) for text in part.sentences(outcome))]
+    return [*told, *(text for part in section_documents(outcome) for text in part.sentences(outcome))]
 
 
 def _proven(every: list[RegionCertificate], unit: str, size: float) -> list[Text]:
@@ -154,7 +154,7 @@ def workspace_tables(outcome: WorkspaceOutcome, entry: dict[str, Any]) -> list[T
     for name, (columns, cells) in _TABLES.items():
         rows = ([*value_cells(outcome, one), *cells(one)] for one in entry.get(name, ()))
         made.append(table("workspace", name, [*value_heads(outcome), *columns], rows))
-    return [*made, *(one for part in written(outcome) for one in part.tables(outcome))]
+    return [*made, *(one for part in section_documents(outcome) for one in part.tables(outcome))]
 
 
 Entry = Mapping[str, Any]

@@ -53,13 +53,13 @@ def without_slivers(shape: Any, chord: float) -> Any:
         for part in pieces(shape)
         if wide(part.exterior)
     ]
-    found = _together(kept)
+    found = _as_geometry(kept)
     if not shapely.is_valid(found):  # its rings cross, by no more than they were made simpler
-        found = _together(pieces(shapely.make_valid(found, method="structure", keep_collapsed=False)))
+        found = _as_geometry(pieces(shapely.make_valid(found, method="structure", keep_collapsed=False)))
     return found
 
 
-def _together(polygons: list[Any]) -> Any:
+def _as_geometry(polygons: list[Any]) -> Any:
     import shapely
 
     return shapely.MultiPolygon(polygons) if len(polygons) != 1 else polygons[0]

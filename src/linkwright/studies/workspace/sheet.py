@@ -79,7 +79,7 @@ class ModeSheet:
             self._engines[whole] = KERNELS[self.kernel](program)
         return self._engines[whole]
 
-    def ready(self) -> None:
+    def make_programs(self) -> None:
         """Make the programs, which all sheets of a mechanism share."""
         for whole in (False, True):
             self._engine(whole)

@@ -17,13 +17,13 @@ class SliderSteps:
         every = {name: sorted({one.values[name] for one in outcome.workspaces}) for name in outcome.options.for_}
         self.values = {name: some for name, some in every.items() if len(some) > 1}
 
-    def of(self, one: Workspace) -> tuple[int, ...]:
+    def positions(self, one: Workspace) -> tuple[int, ...]:
         """The sliders' positions for a workspace."""
         return tuple(some.index(one.values[name]) for name, some in self.values.items())
 
     def chart(self, one: Workspace, stack: str, title: Text, drawing: Callable[[], str]) -> Chart:
         """A picture of a workspace, in a stack of such for other values."""
-        return Chart(title, drawing, stack, self.of(one))
+        return Chart(title, drawing, stack, self.positions(one))
 
     def sliders(self) -> Sequence[Slider]:
         """A slider for each parameter; it starts at the file's own value, where that is among them."""

@@ -22,7 +22,7 @@ from linkwright.studies.workspace.doubts import doubts
 from linkwright.studies.workspace.files import FILES
 from linkwright.studies.workspace.options import PATH, WorkspaceOptions, check
 from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, values_text
-from linkwright.studies.workspace.parallel import together
+from linkwright.studies.workspace.parallel import run_in_threads
 from linkwright.studies.workspace.parts import perform
 from linkwright.studies.workspace.preconditions import unfit
 from linkwright.studies.workspace.region_files import FOLDER, resumable
@@ -30,7 +30,7 @@ from linkwright.studies.workspace.regions import Region, region
 from linkwright.studies.workspace.report import report
 from linkwright.studies.workspace.sheet import ModeSheet
 from linkwright.studies.workspace.turning import turnings
-from linkwright.studies.workspace.unreachable import never
+from linkwright.studies.workspace.unreachable import unreachable_data
 
 Array = NDArray[np.float64]
 
@@ -96,18 +96,18 @@ def _regions(outcome: WorkspaceOutcome, site: RunContext) -> tuple[int, int, boo
             cases.append((values, parameters))
     works = [(one, parameters) for _, parameters in cases for one in signs]
     if outcome.box is not None and works:
-        _sheet(outcome, *works[0]).ready()  # the graph isn't made for several threads
+        _sheet(outcome, *works[0]).make_programs()  # the graph isn't made for several threads
     # NumPy's calls are short and each waits for the interpreter: more threads are no sooner done, unless asked for.
     workers = site.runner.workers if outcome.box and isinstance(site.runner, Threads) else 1
-    find = resumable(lambda work: _found(outcome, *work), lambda work: _sheet(outcome, *work), outcome, site)
-    found, stopped = together(find, works, workers, site.progress)
+    find = resumable(lambda work: _search_mode(outcome, *work), lambda work: _sheet(outcome, *work), outcome, site)
+    found, stopped = run_in_threads(find, works, workers, site.progress)
     for i, (values, parameters) in enumerate(cases):
         here = [found[k] for k in range(i * len(signs), (i + 1) * len(signs)) if k in found]
         for finding in (finding for _, findings in here for finding in findings):
             (outcome.failures if finding.severity == "error" else outcome.warnings).append(finding)
         reached = [one for one, _ in here if one is not None]
         if reached or len(here) == len(signs):
-            _keep(outcome, values, parameters, reached)
+            _note_workspace(outcome, values, parameters, reached)
     return len(found), len(works), stopped
 
 
@@ -128,7 +128,7 @@ def _sheet(outcome: WorkspaceOutcome, signs: Signs, parameters: Array) -> ModeSh
     return ModeSheet(outcome.compiled, outcome.point, (first, second), signs, parameters)
 
 
-def _found(
+def _search_mode(
     outcome: WorkspaceOutcome, signs: Signs, parameters: Array
 ) -> tuple[Reached | CouplerCurve | None, list[Finding]]:
     """What one mode reaches, ``None`` where it can't be assembled anywhere; what contradicts that. The outcome isn't
@@ -176,7 +176,7 @@ def _flat(sheet: ModeSheet, low: tuple[float, float], high: tuple[float, float])
     return bool(known.any() and (np.abs(look.determinant[known]) <= FLAT * sizes.max() ** 2).all())
 
 
-def _keep(outcome: WorkspaceOutcome, values: dict[str, float], parameters: Array, found: list[Any]) -> None:
+def _note_workspace(outcome: WorkspaceOutcome, values: dict[str, float], parameters: Array, found: list[Any]) -> None:
     """Note a workspace, or that there is none."""
     if not found:
         outcome.failures += _nothing(outcome, values, parameters)
@@ -192,7 +192,7 @@ def _nothing(outcome: WorkspaceOutcome, values: dict[str, float], parameters: Ar
     compiled, options = outcome.compiled, outcome.options
     where = Term("for-values", values=values_text(compiled, values)) if values else ""
     ranges = [options.range(compiled, drive) for drive in compiled.graph.drives]
-    data = never(
+    data = unreachable_data(
         compiled, [r for r in ranges if r is not None], dict(zip(compiled.graph.parameters, parameters, strict=True))
     )
     if data is None:

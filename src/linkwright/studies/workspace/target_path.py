@@ -64,7 +64,7 @@ class TargetPath:
         return TargetPath(lambda share: sign * self.of(1.0 - share), self.closed, corners, self.path)
 
 
-def through(points: Array, between: str = "cubic", path: Path_ = PATH) -> TargetPath:
+def path_through_points(points: Array, between: str = "cubic", path: Path_ = PATH) -> TargetPath:
     """The path through points (n, 2) in m: a spline over the length of the chords as ``tables`` have it (linear,
     cubic, quintic), periodic where the last point is the first."""
     from scipy.interpolate import make_interp_spline
@@ -84,11 +84,11 @@ def through(points: Array, between: str = "cubic", path: Path_ = PATH) -> Target
     share[-1] = 1.0
     spline = make_interp_spline(share, points, k=degree, bc_type="periodic" if closed and degree > 1 else None)
 
-    def of(at: Array) -> Array:
+    def place_and_rates(at: Array) -> Array:
         zero = np.zeros((2, np.size(at)))
         return np.stack([spline(at, nu=k).T if k <= degree else zero for k in range(3)])
 
-    return TargetPath(of, closed, _corners(points, share, closed) if degree == 1 else (), path)
+    return TargetPath(place_and_rates, closed, _corners(points, share, closed) if degree == 1 else (), path)
 
 
 def _corners(points: Array, share: Array, closed: bool) -> tuple[float, ...]:
@@ -114,7 +114,7 @@ def from_csv(file: str, folder: Path | None = None, between: str = "cubic", path
         if dimension != u.LENGTH:
             raise ModelError([Finding("workspace.path-unit", path, {"column": found[:40]})])
         sizes.append(size)
-    return through(np.array(rows.numbers(columns)).reshape(-1, 2) * sizes, between, path)
+    return path_through_points(np.array(rows.numbers(columns)).reshape(-1, 2) * sizes, between, path)
 
 
 def from_dxf(
@@ -124,7 +124,7 @@ def from_dxf(
 
     Polylines stay straight pieces; arcs and splines become chords.
     """
-    return through(size * read_curve(file, folder, layer, path), "linear", path)
+    return path_through_points(size * read_curve(file, folder, layer, path), "linear", path)
 
 
 def from_formula(
@@ -150,7 +150,7 @@ def from_formula(
     if findings:
         raise ModelError(findings)
 
-    def of(at: Array) -> Array:
+    def place_and_rates(at: Array) -> Array:
         at = np.asarray(at, dtype=float)
         jet = Jet([at, np.ones_like(at), np.zeros_like(at)])
         rows = []
@@ -160,13 +160,13 @@ def from_formula(
             rows.append((value if isinstance(value, Jet) else Jet.constant(value, 2)).d)
         return np.array([[np.broadcast_to(row[k], at.shape) for row in rows] for k in range(3)], dtype=float)
 
-    tried = of(np.linspace(0.0, 1.0, 257))
+    tried = place_and_rates(np.linspace(0.0, 1.0, 257))
     if not np.isfinite(tried).all():
         where = float(np.linspace(0.0, 1.0, 257)[~np.isfinite(tried).all(axis=(0, 1))][0])
         raise ModelError([Finding("workspace.path-value", path, {"u": where})])
     size = float(np.ptp(tried[0], axis=1).max())
     closed = bool(np.hypot(*(tried[0, :, -1] - tried[0, :, 0])) <= SAME * size)
-    return TargetPath(of, closed, path=path)
+    return TargetPath(place_and_rates, closed, path=path)
 
 
 def _strange(node: Node, quantities: Quantities) -> str | None:

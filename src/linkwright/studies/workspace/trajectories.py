@@ -73,7 +73,7 @@ class Trajectories:
         return [stretch for one in self.each for stretch in one.stretches]
 
     @property
-    def whole(self) -> int:
+    def full_range_count(self) -> int:
         """At how many values the other drive goes through all of its range."""
         return sum(bool(one.q[-1] - one.q[0] >= WHOLE * self.span) for one in self.stretches)
 

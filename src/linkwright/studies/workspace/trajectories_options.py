@@ -26,9 +26,9 @@ MOST = 720
 """The most values of the held drive."""
 
 
-def _held(c: Context) -> str:
+def _held_drive_name(c: Context) -> str:
     """The drive that is held, where there are two."""
-    return held(c.mechanism, c.entry.hold) if len(c.mechanism.drives) == 2 else ""
+    return held_drive(c.mechanism, c.entry.hold) if len(c.mechanism.drives) == 2 else ""
 
 
 class TrajectoriesAsked(Frozen):
@@ -39,7 +39,7 @@ class TrajectoriesAsked(Frozen):
         description="the drive that is held; by default the other one than that of constant speed, else the second",
     )
     steps: int | None = Field(None, ge=1, le=MOST, description="equal steps of the held drive's range; 36 by default")
-    every: Annotated[Expression | None, of_drive(ANGLE, LENGTH, _held)] = Field(
+    every: Annotated[Expression | None, of_drive(ANGLE, LENGTH, _held_drive_name)] = Field(
         None,
         description="instead of steps: the held drive's step, from the lower end of its range",
         examples=["10 deg"],
@@ -67,18 +67,21 @@ class TrajectoriesAsked(Frozen):
 
     def _step(self, compiled: Compiled, options: WorkspaceOptions, every: Expression) -> Iterator[Finding]:
         """What is wrong with the step of the held drive."""
-        drive, at = held(compiled.mechanism, self.hold), (*PATH, "every")
+        drive, at = held_drive(compiled.mechanism, self.hold), (*PATH, "every")
         dimension = compiled.quantities.drive_dimension(drive)
         if wrong := positive(compiled, every, dimension, at):
             yield from wrong
             return
-        ends, step = options.stated(compiled, drive)[0], constant(compiled.quantities, every, dimension, at)[0]
+        ends, step = (
+            options.range_and_faults(compiled, drive)[0],
+            constant(compiled.quantities, every, dimension, at)[0],
+        )
         if ends is not None and step is not None and (count := (ends[1] - ends[0]) / step) > MOST:
             data = {"drive": drive, "count": f"{count:.6g}", "limit": MOST}
             yield Finding("workspace.hold-many", at, data)
 
 
-def held(mechanism: Mechanism, named: str | None) -> str:
+def held_drive(mechanism: Mechanism, named: str | None) -> str:
     """The drive that is held: the named one; else, of a motor of constant speed and a servo, the servo; else the
     second."""
     laws = mechanism.drives.items()

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from linkwright.expressions import units as u
 from linkwright.studies.workspace.outcome import Reached, Workspace
 from linkwright.studies.workspace.trajectories import Trajectories, trajectories
-from linkwright.studies.workspace.trajectories_options import TrajectoriesAsked, held
+from linkwright.studies.workspace.trajectories_options import TrajectoriesAsked, held_drive
 
 if TYPE_CHECKING:
     from linkwright.studies.workspace.outcome import WorkspaceOutcome
@@ -64,12 +64,12 @@ class TrajectoriesPart:
         values = self.values / size
         return {
             "mode": one.reached.mode,
-            **self.outcome.shown(one.workspace),
+            **self.outcome.values_in_units(one.workspace),
             "hold": held,
             "moving": moving,
             "values": {"from": float(values[0]), "to": float(values[-1]), "count": int(values.size), "unit": unit},
             "assembled": sum(bool(each.stretches) for each in one.found.each),
-            "whole": one.found.whole,
+            "whole": one.found.full_range_count,
             "stretches": len(one.found.stretches),
             "length": one.found.length / length,
             "unit": length_unit,
@@ -80,7 +80,7 @@ class TrajectoriesPart:
 def trajectories_part(options: TrajectoriesAsked, outcome: WorkspaceOutcome) -> TrajectoriesPart:
     """The trajectories in each region."""
     assert outcome.box is not None
-    drive = held(outcome.compiled.mechanism, options.hold)
+    drive = held_drive(outcome.compiled.mechanism, options.hold)
     hold = outcome.compiled.graph.drives.index(drive)
     values, chord = _values(options, outcome, drive), options.chord * outcome.compiled.graph.size
     part = TrajectoriesPart(outcome, hold, values, chord)

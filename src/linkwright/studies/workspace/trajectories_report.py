@@ -76,7 +76,7 @@ def _chart(part: TrajectoriesPart, one: RegionTrajectories, box: Bounds, steps: 
     unit, size = compiled.quantities.unit_of(u.LENGTH)
     plane, (held, moving) = PicturePlane.of(box, unit, size), part.drives
     drive_unit, drive_size = compiled.quantities.drive_unit(held)
-    values = outcome.told(one.workspace)
+    values = outcome.values_text(one.workspace)
     mode = one.reached.mode or Said("workspace.one-mode")
     told = Said("workspace.for", values=values) if values else ""
     data = {"point": outcome.point, "held": held, "moving": moving}
@@ -148,7 +148,7 @@ def _rows(part: TrajectoriesPart) -> Iterator[list[str]]:
     length = quantities.unit_of(u.LENGTH)[1]
     held, moving = (quantities.drive_unit(drive)[1] for drive in part.drives)
     for one in part.regions:
-        front = [*map(cell, outcome.shown(one.workspace).values()), one.reached.mode]
+        front = [*map(cell, outcome.values_in_units(one.workspace).values()), one.reached.mode]
         for each in one.found.each:
             at_value = [*front, cell(each.held / held)]
             for number, stretch in enumerate(each.stretches, start=1):

@@ -102,7 +102,7 @@ def _group(plane: PicturePlane, drawn: Sequence[ColouredLine], scale: Scale) -> 
     """The trajectories as paths, each with its text: thinned until they are small enough, then every other one left
     out."""
     fine, step = FINE, 1
-    placed = [[np.stack(plane.at(*line)) for line in one.lines] for one in drawn]
+    placed = [[np.stack(plane.to_picture(*line)) for line in one.lines] for one in drawn]
     while True:
         made = _paths(drawn[::step], placed[::step], scale, fine)
         if len(made) <= LARGEST or step > len(drawn):

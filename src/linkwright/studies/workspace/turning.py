@@ -130,11 +130,11 @@ class _Margin:
 
             where = bracketed(slope, np.arange(row.size), grid[before], grid[before + 1])
             np.fmin.at(best, (row, at), self.rows(where, held[at])[0][row, np.arange(row.size)])
-            return self.together(best)
+            return self.combined_margin(best)
 
         return margin
 
-    def together(self, best: Array) -> Array:
+    def combined_margin(self, best: Array) -> Array:
         """The margins of all rows (rows, n) as one (n,): a determinant keeps its sign, whichever it is."""
         rooms, ahead, behind = best[: self.rooms], best[self.rooms : self.count], best[self.count :]
         margins = np.concatenate([rooms, np.fmax(ahead, behind)])

@@ -33,7 +33,7 @@ class _LengthGap:
         self.group: Group | None = None
         self.distance, self.limit = 0.0, 0.0
 
-    def at(self, q: Iterable[float], signs: tuple[float, ...]) -> tuple[int, float]:
+    def gap_at(self, q: Iterable[float], signs: tuple[float, ...]) -> tuple[int, float]:
         """How many groups are left from the first that fails, and by how much (m) that one does; (0, 0) for none."""
         groups = self.compiled.structure.groups
         given: dict[Group, float] = dict(zip(self.compiled.graph.branched, signs, strict=True))
@@ -61,7 +61,7 @@ def _none(_: Any) -> list[float]:
     return []
 
 
-def never(
+def unreachable_data(
     compiled: Compiled, ranges: Sequence[tuple[float, float]], parameters: Mapping[str, float]
 ) -> dict[str, Any] | None:
     """What a finding says of lengths that close at no values of the drives; ``None`` where they do somewhere."""
@@ -70,19 +70,19 @@ def never(
     gap = _LengthGap(compiled, parameters)
     axes = [np.linspace(low, high, STEPS + 1) for low, high in ranges]
     places = np.stack(np.meshgrid(*axes)).reshape(len(ranges), -1).T
-    looked = [(gap.at(q, signs), tuple(q), signs) for signs in combinations(compiled) for q in places]
+    looked = [(gap.gap_at(q, signs), tuple(q), signs) for signs in combinations(compiled) for q in places]
     (left, least), start, signs = min(looked)
     if not left:
         return None
 
     def missing(q: NDArray[np.float64]) -> float:
-        low_left, by = gap.at(q, signs)
+        low_left, by = gap.gap_at(q, signs)
         inside = all(a - 1e-12 <= v <= b + 1e-12 for v, (a, b) in zip(q, ranges, strict=True))
         return float(by) if low_left == left and inside else 2 * least + 1.0
 
     best = minimize(missing, start, method="Nelder-Mead", options={"xatol": 1e-9, "fatol": 1e-15 * (1 + least)})
     place = best.x if best.fun <= least else np.array(start)
-    gap.at(place, signs)
+    gap.gap_at(place, signs)
     assert gap.group is not None
     told = shortfall_data(compiled.quantities, gap.group, gap.distance, gap.limit)
     at = []
