@@ -22,6 +22,7 @@ ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "docs" / "zh" / "papers"
 PAGES = {
     "paper-feeder": "feeder",
+    "cam": "cam",
 }
 """The pages by the modules that compute what they show."""
 TABLE = re.compile(

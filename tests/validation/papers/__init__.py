@@ -33,8 +33,9 @@ def below(value: Any, bound: float, unit: str = "") -> str:
     return f"< {bound:.0e} {unit}".rstrip().replace("e-0", "e-")
 
 
-def inputs(name: str, printed: dict[str, float]) -> Rows:
+def inputs(name: str, printed: dict[str, float | str]) -> Rows:
     """Parameters of a model of the gallery, in the units of its file, beside those of the paper."""
     found = lw.load(GALLERY / f"{name}.yaml").model_dump(by_alias=True, exclude_none=True, mode="json")["parameters"]
     assert {key: found[key]["value"] for key in printed} == printed
-    return [[f"{value:g}", f"`{key}: {found[key]['value']:g}`"] for key, value in printed.items()]
+    texts = {key: value if isinstance(value, str) else f"{value:g}" for key, value in printed.items()}
+    return [[text.replace(" deg", "°"), f"`{key}: {text}`"] for key, text in texts.items()]

@@ -10,7 +10,7 @@ import linkwright as lw
 from validation.papers import GALLERY, Array, Rows, Tables, below, inputs, percent
 from validation.test_paper_feeder import DATA, as_the_paper_read_them
 
-LENGTHS = {"AB": 155, "BC": 395, "CD": 300, "DE": 500, "AD": 300, "AH": 580}
+LENGTHS: dict[str, float | str] = {"AB": 155, "BC": 395, "CD": 300, "DE": 500, "AD": 300, "AH": 580}
 CHANGES = {  # the last rows of Tables 2 and 3
     "return": {"F61x": 608.78, "F61y": 647.37, "F32x": 591.83, "F32y": 650.88, "M0": 102.16},
     "feed": {"F61x": 308.43, "F61y": 162.51, "F32x": 296.61, "F32y": 162.90, "M0": 14.71},
