@@ -8,6 +8,7 @@ Run as a script, with the folder ``tests`` on the path, this file writes the com
 from __future__ import annotations
 
 import re
+import shlex
 import shutil
 from importlib import import_module
 from pathlib import Path
@@ -22,6 +23,7 @@ ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "docs" / "zh" / "papers"
 PAGES = {
     "paper-feeder": "feeder",
+    "hinge": "hinge",
     "cam": "cam",
 }
 """The pages by the modules that compute what they show."""
@@ -63,7 +65,7 @@ def test_the_commands_answer_as_shown(page: str, tmp_path: Path, monkeypatch: py
     assert blocks
     for block in blocks:
         for command, answer in re.findall(r"^\$ linkwright (.*)\n((?:(?!\$ ).*\n)*)", block, re.M):
-            done = CliRunner().invoke(cli, command.split())
+            done = CliRunner().invoke(cli, shlex.split(command))
             assert done.exit_code == 0, done.output
             said = [line.rstrip() for line in done.output.splitlines()]
             after = 0
