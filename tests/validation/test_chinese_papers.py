@@ -24,6 +24,7 @@ FOLDER = ROOT / "docs" / "zh" / "papers"
 PAGES = {
     "paper-feeder": "feeder",
     "hinge": "hinge",
+    "five-bar": "five_bar",
     "cam": "cam",
 }
 """The pages by the modules that compute what they show."""
