@@ -25,6 +25,7 @@ PAGES = {
     "paper-feeder": "feeder",
     "hinge": "hinge",
     "five-bar": "five_bar",
+    "accuracy": "accuracy",
     "cam": "cam",
 }
 """The pages by the modules that compute what they show."""
