@@ -22,6 +22,7 @@ from validation.papers import Rows, Tables
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "docs" / "zh" / "papers"
 PAGES = {
+    "index": "index",
     "paper-feeder": "feeder",
     "hinge": "hinge",
     "five-bar": "five_bar",

@@ -65,6 +65,8 @@ def equations() -> Rows:
     """(3); its derivative by l1 as printed; the same times exp(-i phi1), real part."""
     l1, l2, l3, l4 = lengths()
     one, two, three = angles()
+    transmission = np.arccos(np.cos(two - three))
+    assert round(float(np.degrees(transmission.min())), 1) == 45.4
     e1, e2, e3 = (np.exp(1j * angle) for angle in (one, two, three))
     by_l1 = ours("coupler.angle")[0], ours()[0]
     derivative = e1 + l2 * e2 * 1j * by_l1[0] - l3 * e3 * 1j * by_l1[1]

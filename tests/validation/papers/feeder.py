@@ -62,6 +62,7 @@ def motion() -> Rows:
     ends = 1e3 * signals("E.x", t=np.array([right.found[0].time, left.found[0].time]))[0]
     theory = {degrees: 1e3 * signals("E.x", t=crank_at(degrees))[0, 0] for degrees in THEORY}
     assert all(abs(theory[degrees] - printed) < 0.01 for degrees, printed in THEORY.items())
+    assert round(1e3 * signals("E.x").min(), 3) == -39.999  # on the paper's steps
     stroke, speed = found["stroke"].shown(), found["feed_speed"].shown()
     return [
         [f"{paper['stroke_mm']}", f"{stroke:.4f}", f"{stroke - paper['stroke_mm']:+.3f}"],
