@@ -18,7 +18,7 @@ class Mirror(Frozen):
 
     suffixes: tuple[str, str] | None = None
     prefixes: tuple[str, str] | None = None
-    signs: Signs = "mirrored"
+    signs: Signs = "mirrored"  # type: ignore[valid-type]
 
     @property
     def distinct(self) -> bool:

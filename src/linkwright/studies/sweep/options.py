@@ -37,7 +37,7 @@ class SweepOptions(Sampling):
     study = "sweep"
 
     vary: Annotated[dict[ParameterName, Vary], of_parameter(3), freeze] = Field(min_length=1, max_length=1000)
-    plan: PlanName | None = None
+    plan: PlanName | None = None  # type: ignore[valid-type]
     samples: int | None = Field(None, ge=1)
     seed: int = Field(0, ge=0, le=2**63)
     keep: Literal["reduced", "all"] = "reduced"
