@@ -10,6 +10,7 @@ from click.testing import CliRunner, Result
 
 from linkwright import gallery
 from linkwright.cli import cli
+from linkwright.words import LANGUAGES
 
 
 def call(*words: object) -> Result:
@@ -31,6 +32,14 @@ def test_what_is_written_is_what_is_shipped(name: str, tmp_path: Path, monkeypat
     assert call(name).exit_code == 0
     assert [path.name for path in tmp_path.iterdir()] == [f"{name}.yaml"]
     assert (tmp_path / f"{name}.yaml").read_bytes() == gallery.text(name).encode()
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_models_are_in_the_language_of_the_command(language: str, tmp_path: Path) -> None:
+    listed = call("--list", "--lang", language).stdout.splitlines()
+    assert [line.split("  ")[-1].strip() for line in listed] == [gallery.title(n, language) for n in gallery.names()]
+    assert call("hinge", "--lang", language, "--out", tmp_path / "hinge.yaml").exit_code == 0
+    assert (tmp_path / "hinge.yaml").read_text("utf-8") == gallery.text("hinge", language)
 
 
 def test_out_names_the_file(tmp_path: Path) -> None:

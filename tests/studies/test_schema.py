@@ -16,6 +16,8 @@ from linkwright.expressions.field_schema import NAME, QUANTITIES
 from linkwright.expressions.language import Node, parse
 from linkwright.expressions.units import PURE, Dimension
 from linkwright.model.yaml_text import read_text
+from linkwright.studies.sweep.options import SAMPLES
+from linkwright.words import LANGUAGES, catalogue, in_language, say
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.yaml"))
 
@@ -26,10 +28,50 @@ def validator() -> Any:
     return jsonschema.Draft202012Validator(file_schema())
 
 
-def test_the_shipped_schema_is_the_current_one() -> None:
-    """Made by `linkwright schema > src/linkwright/studies/model.schema.json`."""
-    shipped = files("linkwright.studies").joinpath("model.schema.json").read_text("utf-8")
-    assert json.loads(shipped) == file_schema()
+SHIPPED = {"en": "model.schema.json", "zh": "model.schema.zh.json"}
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_shipped_schema_is_the_current_one(language: str) -> None:
+    """Made by `linkwright schema --lang LANGUAGE > src/linkwright/studies/FILE`."""
+    shipped = files("linkwright.studies").joinpath(SHIPPED[language]).read_text("utf-8")
+    with in_language(language):
+        assert json.loads(shipped) == file_schema()
+
+
+def _without_texts(schema: Any) -> Any:
+    """A schema without what languages differ in."""
+    if isinstance(schema, list):
+        return [_without_texts(part) for part in schema]
+    if not isinstance(schema, dict):
+        return schema
+    texts = {key for key in ("title", "description") if isinstance(schema.get(key), str)}
+    return {key: _without_texts(part) for key, part in schema.items() if key not in texts}
+
+
+def _descriptions(schema: Any) -> Iterator[str]:
+    """All descriptions, wherever they stand."""
+    if isinstance(schema, list):
+        for part in schema:
+            yield from _descriptions(part)
+    elif isinstance(schema, dict):
+        for key, part in schema.items():
+            yield from [part] if key == "description" and isinstance(part, str) else _descriptions(part)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_each_language_has_the_same_schema_with_all_its_own_texts(language: str) -> None:
+    with in_language(language):
+        schema = file_schema()
+    assert _without_texts(schema) == _without_texts(file_schema())
+    with in_language(language):
+        known = {say(key) for key in catalogue(language) if key.startswith("schema.")}
+    assert {*_descriptions(schema), schema["title"]} == known
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_default_in_a_text_is_the_default(language: str) -> None:
+    assert f" {SAMPLES}" in catalogue(language)["schema.SweepOptions.samples"]
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda p: p.stem)

@@ -31,7 +31,7 @@ from linkwright.model.plane import in_plane
 from linkwright.model.sampled import names_in
 from linkwright.model.sketch import with_sketch
 from linkwright.report.batch import BatchRow, batch_page
-from linkwright.words import say
+from linkwright.words import language, say
 
 NAME, MODEL = "name", "model"
 BASE = "hinge"
@@ -171,7 +171,7 @@ class Batch:
 
 def _base(name: str, folder: Path) -> Base:
     if name in gallery.names():
-        content = gallery.text(name).encode()
+        content = gallery.text(name, language()).encode()
         document, source = read_document(content)
         return Base(name, document, None, content, source.findings)
     read = read_file(folder / name)

@@ -10,6 +10,7 @@ from linkwright.expressions.unknown import near
 from linkwright.findings import Finding
 from linkwright.model.input_files import reason
 from linkwright.model.output_files import write_aside
+from linkwright.words import language
 
 
 def new_table(name: str, file: Path, force: bool = False) -> list[Finding]:
@@ -24,10 +25,11 @@ def new_table(name: str, file: Path, force: bool = False) -> list[Finding]:
 
 
 def new(name: str, file: Path, force: bool = False) -> list[Finding]:
-    """Write a model of the gallery to a file; what stands against it, where something does."""
+    """Write a model of the gallery to a file, with comments in the present language; what stands against it, where
+    something does."""
     if name not in gallery.names():
         return [_unknown(name)]
-    return _write(file, gallery.text(name), force)
+    return _write(file, gallery.text(name, language()), force)
 
 
 def _unknown(name: str) -> Finding:

@@ -22,7 +22,7 @@ from linkwright.escape import json_text, line
 from linkwright.findings import Finding
 from linkwright.report.structure_summary import facts
 from linkwright.studies.registry import STUDIES
-from linkwright.words import in_language, say
+from linkwright.words import in_language, language, say
 
 if TYPE_CHECKING:
     from linkwright.cli.execution import Telling
@@ -167,12 +167,12 @@ def bench(done: Bench | None) -> None:
 
 
 def gallery() -> None:
-    """The models of the gallery, a line each."""
+    """The models of the gallery, a line each, in the present language."""
     from linkwright.gallery import names, title
 
     width = max(map(len, names()))
     for name in names():
-        out.print(escape(f"{name:{width}s}  {title(name)}"))
+        out.print(escape(f"{name:{width}s}  {title(name, language())}"))
 
 
 def refusals(findings: list[Finding]) -> None:

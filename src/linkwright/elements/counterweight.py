@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Annotated, ClassVar
 
-from pydantic import Field
-
 from linkwright.elements.entries import ForceEntry
 from linkwright.elements.fields import INERTIA, At
 from linkwright.elements.force import ForceKind, Weight, register
@@ -22,14 +20,10 @@ class Counterweight(ForceEntry):
 
     kind: ClassVar[str] = "counterweight"
 
-    on: Annotated[Name, Ref("link")] = Field(description="the link that carries it")
-    mass: Annotated[Expression, Quantity(u.MASS, Sign.POSITIVE, "mass")] = Field(description="its mass")
-    at: Annotated[At, Ref("point", of="on")] = Field(
-        description="where its centre of mass is: a point of the link, [x, y] or 'r at angle' in its frame"
-    )
-    inertia: Annotated[Expression | None, INERTIA] = Field(
-        None, description="moment of inertia about its own centre of mass; none unless given"
-    )
+    on: Annotated[Name, Ref("link")]
+    mass: Annotated[Expression, Quantity(u.MASS, Sign.POSITIVE, "mass")]
+    at: Annotated[At, Ref("point", of="on")]
+    inertia: Annotated[Expression | None, INERTIA] = None
 
 
 @register

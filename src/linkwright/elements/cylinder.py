@@ -21,11 +21,9 @@ class CylinderPart(Frozen):
 
     # Its numbers are those of the link that it becomes, and looked at there.
 
-    mass: Expression = Field(description="mass")
-    com: Expression = Field(description="distance of the centre of mass from the part's own pin, towards the other")
-    inertia: Expression | None = Field(
-        None, description="moment of inertia about the centre of mass; that of a slender uniform rod where left out"
-    )
+    mass: Expression
+    com: Expression
+    inertia: Expression | None = None
 
     @property
     def uniform(self) -> bool:
@@ -36,15 +34,11 @@ class CylinderPart(Frozen):
 class Cylinder(Frozen):
     """A cylinder or linear actuator between two points: barrel, rod and their slide, whose value is the distance."""
 
-    from_: PointName = Field(alias="from", description="the point at which the barrel is pinned")
-    to: PointName = Field(description="the point at which the rod is pinned")
-    length: Annotated[Interval | None, PART_LENGTH] = Field(
-        None, description="[shortest, longest] distance of the two pins; a run beyond is a finding"
-    )
-    barrel: Annotated[CylinderPart | None, ELSEWHERE] = Field(
-        None, description="mass of the barrel; massless where left out"
-    )
-    rod: Annotated[CylinderPart | None, ELSEWHERE] = Field(None, description="mass of the rod; massless where left out")
+    from_: PointName = Field(alias="from")
+    to: PointName
+    length: Annotated[Interval | None, PART_LENGTH] = None
+    barrel: Annotated[CylinderPart | None, ELSEWHERE] = None
+    rod: Annotated[CylinderPart | None, ELSEWHERE] = None
 
     def stands_for(self, name: str) -> tuple[dict[str, Any], dict[str, Any]]:
         """The links and the slide of one of that name, as a file would state them."""

@@ -26,31 +26,15 @@ class Drive(MoverSignals, Frozen):
     # Said for editors here, by `faults` to the reader: either on which link, or what is extended.
     model_config = ConfigDict(json_schema_extra={"anyOf": [{"required": ["on"]}, {"required": ["extends"]}]})
 
-    turns: LinkName | None = Field(None, description="the link that is turned, about the pin that it shares with on")
-    slides: LinkName | None = Field(None, description="the link that is moved along the line that it shares with on")
-    extends: Annotated[Name | None, Ref("extended")] = Field(
-        None, description="the cylinder or prismatic joint whose value the drive prescribes"
-    )
-    on_: LinkName | None = Field(
-        None, alias="on", description="the link against which the motion is measured, e.g. frame; not with extends"
-    )
-    speed: Annotated[Expression | None, _driven(u.OMEGA, u.SPEED)] = Field(
-        None, description="constant speed, e.g. 60 rpm, or with acceleration the speed at t = 0; with start"
-    )
-    start: Annotated[Expression | None, _driven(u.ANGLE, u.LENGTH)] = Field(
-        None, description="value at t = 0; with speed. In a model with a sketch, as drawn where left out"
-    )
-    acceleration: Annotated[Expression | None, _driven(u.ALPHA, u.ACCELERATION)] = Field(
-        None, description="constant acceleration; speed is then that at t = 0"
-    )
-    position: Annotated[Expression | None, _driven(u.ANGLE, u.LENGTH, scope=Scope.TIME)] = Field(
-        None, description="value as an expression in t, e.g. 20 deg*sin(180 deg*t/(1 s)); may call tables"
-    )
-    output: Annotated[Name | None, Ref("output")] = Field(
-        None,
-        description="the prismatic joint, or the link hinged on the frame, that is to follow the law; "
-        "the drive's own motion and effort follow from it",
-    )
+    turns: LinkName | None = None
+    slides: LinkName | None = None
+    extends: Annotated[Name | None, Ref("extended")] = None
+    on_: LinkName | None = Field(None, alias="on")
+    speed: Annotated[Expression | None, _driven(u.OMEGA, u.SPEED)] = None
+    start: Annotated[Expression | None, _driven(u.ANGLE, u.LENGTH)] = None
+    acceleration: Annotated[Expression | None, _driven(u.ALPHA, u.ACCELERATION)] = None
+    position: Annotated[Expression | None, _driven(u.ANGLE, u.LENGTH, scope=Scope.TIME)] = None
+    output: Annotated[Name | None, Ref("output")] = None
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:

@@ -42,30 +42,14 @@ class Load(ForceEntry):
 
     kind: ClassVar[str] = "load"
 
-    on: Annotated[Name, Ref("link")] = Field(description="the link that is loaded, which may be the frame")
-    against: Annotated[Name | None, Ref("link")] = Field(
-        None,
-        description="the link that bears the opposite force or torque, in the same line of action: of a gas force "
-        "the one that closes the cylinder; without it the load comes from outside the mechanism",
-    )
-    at: Annotated[At | None, Ref("point", of="on")] = Field(
-        None, description="where a force acts: a point of the link, or [x, y] in its frame"
-    )
-    force: Annotated[Force | None, Quantity(FORCE, scope=Scope.LOAD)] = Field(
-        None, description="[Fx, Fy], or one number that acts along a joint's line"
-    )
-    along: Annotated[Name | None, Ref("slide")] = Field(
-        None, description="the prismatic joint whose line a force of one number follows"
-    )
-    torque: Annotated[Expression | None, Quantity(TORQUE, scope=Scope.LOAD)] = Field(
-        None, description="a torque on the link, counter-clockwise positive"
-    )
-    in_: Annotated[Name | None, Ref("link")] = Field(
-        None, alias="in", description="the link whose axes [Fx, Fy] is given in and turns with; frame by default"
-    )
-    window: Annotated[Name | None, Ref("window")] = Field(
-        None, description="the window (of windows) outside which the load doesn't act"
-    )
+    on: Annotated[Name, Ref("link")]
+    against: Annotated[Name | None, Ref("link")] = None
+    at: Annotated[At | None, Ref("point", of="on")] = None
+    force: Annotated[Force | None, Quantity(FORCE, scope=Scope.LOAD)] = None
+    along: Annotated[Name | None, Ref("slide")] = None
+    torque: Annotated[Expression | None, Quantity(TORQUE, scope=Scope.LOAD)] = None
+    in_: Annotated[Name | None, Ref("link")] = Field(None, alias="in")
+    window: Annotated[Name | None, Ref("window")] = None
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:

@@ -17,7 +17,7 @@ from itertools import pairwise
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
-from pydantic import BeforeValidator, Field
+from pydantic import BeforeValidator
 
 from linkwright.elements.clearance import OnFlank, StatedClearance
 from linkwright.elements.entries import JointEntry
@@ -64,26 +64,20 @@ def _places(raw: Any) -> Any:
 class Arc(Frozen):
     """A slot along a circle about a point of the link that has it."""
 
-    centre: Annotated[Name, _IN_SLOT] = Field(description="the point of the slotted link about which the slot runs")
-    radius: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE, "slot-radius")] = Field(
-        description="radius of the slot's centre line"
-    )
-    start: Annotated[Expression, Quantity(u.ANGLE)] = Field(
-        Expression("0 deg"), description="direction in the link from which the travel counts, counter-clockwise"
-    )
+    centre: Annotated[Name, _IN_SLOT]
+    radius: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE, "slot-radius")]
+    start: Annotated[Expression, Quantity(u.ANGLE)] = Expression("0 deg")
 
 
 class SlotCurve(Frozen):
     """A slot through places over a line: natural cubic spline."""
 
-    along: Annotated[LineOn, _IN_SLOT] = Field(
-        description="the line of the slotted link over which the slot runs, e.g. C at 0 deg"
-    )
+    along: Annotated[LineOn, _IN_SLOT]
     through: Annotated[
         tuple[Annotated[Two, BeforeValidator(pair("slot-place"))], ...],
         BeforeValidator(_places),
         Quantity(u.LENGTH),
-    ] = Field(description="places [along, to the left] of the slot's centre line, in the order along the line")
+    ]
 
 
 class PinInSlotEntry(JointEntry):
@@ -94,21 +88,15 @@ class PinInSlotEntry(JointEntry):
 
     pin_in_slot: Annotated[
         tuple[Annotated[Name, Ref("link")], Annotated[Name, Ref("link")]], BeforeValidator(pair("two-links"))
-    ] = Field(description="the link with the pin, and the link with the slot")
-    pin: Annotated[Name, Ref("point", of=lambda c: c.entry.pin_in_slot[0])] = Field(
-        description="the point of the first link that is in the slot"
-    )
-    straight: Annotated[LineOn | None, _IN_SLOT] = Field(
-        None, description="a straight slot: a line of the second link, e.g. C at 0 deg"
-    )
-    arc: Arc | None = Field(None, description="a slot along a circular arc")
-    curve: SlotCurve | None = Field(None, description="a slot through places over a line")
-    flank: Literal["both", "left", "right"] = Field(
-        "both", description="the flank on which the pin bears; left and right as seen along the travel"
-    )
+    ]
+    pin: Annotated[Name, Ref("point", of=lambda c: c.entry.pin_in_slot[0])]
+    straight: Annotated[LineOn | None, _IN_SLOT] = None
+    arc: Arc | None = None
+    curve: SlotCurve | None = None
+    flank: Literal["both", "left", "right"] = "both"
     travel: Annotated[
         Annotated[Two, BeforeValidator(pair("interval"))] | None, Quantity(u.LENGTH, ends=Ends.RISING)
-    ] = Field(None, description="[lowest, highest] travel (the signal NAME.s); a run beyond is an error")
+    ] = None
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:

@@ -65,47 +65,21 @@ class Spring(ForceEntry):
 
     kind: ClassVar[str] = "spring"
 
-    from_: Annotated[Name | None, _end_point_ref(0)] = Field(
-        None, alias="from", description="the point where one end is fixed"
-    )
-    to: Annotated[Name | None, _end_point_ref(1)] = Field(None, description="the point where the other end is fixed")
-    in_: TwoLinks | None = Field(
-        None, alias="in", description="the links of the two points, where a point name lies on several links"
-    )
-    turns: Annotated[Name | None, Ref("link")] = Field(
-        None, description="torsional: the link on which the torque acts; its angle is against on"
-    )
-    on: Annotated[Name | None, Ref("link")] = Field(
-        None, description="torsional: the other link, on which the opposite torque acts"
-    )
-    stiffness: Annotated[Expression | None, _law(u.STIFFNESS, u.TORSIONAL_STIFFNESS)] = Field(
-        None, description="force over length, or torque over angle; with free"
-    )
-    free: Annotated[Expression | None, _FREE] = Field(
-        None, description="length, or angle, at which the spring is relaxed"
-    )
-    preload: Annotated[Expression | None, _law(u.FORCE, u.TORQUE, Sign.ANY)] = Field(
-        None, description="force (torque) that is there at the free length (angle) already"
-    )
-    damping: Annotated[Expression | None, _law(u.DAMPING, u.TORSIONAL_DAMPING)] = Field(
-        None, description="force over speed, or torque over angular speed"
-    )
-    force: Name | None = Field(None, description="a table of the pulling force over the length")
-    torque: Name | None = Field(
-        None, description="a table of the torque over the angle, positive where it turns it back"
-    )
-    gas: Annotated[Expression | None, Quantity(u.FORCE, Sign.POSITIVE)] = Field(
-        None, description="gas spring: its push at the greater length; with progression"
-    )
-    progression: Annotated[Expression | None, Quantity(u.PURE, Sign.NOT_NEGATIVE)] = Field(
-        None, description="gas spring: push at the smaller length over that at the greater one; with length"
-    )
-    exponent: Annotated[Expression | None, Quantity(u.PURE, Sign.POSITIVE)] = Field(
-        None, description="gas spring: polytropic exponent, 1 (slow, isothermal) unless given, 1.4 fast (adiabatic)"
-    )
-    length: Annotated[Interval | None, PART_LENGTH] = Field(
-        None, description="[smallest, greatest] length that the part allows"
-    )
+    from_: Annotated[Name | None, _end_point_ref(0)] = Field(None, alias="from")
+    to: Annotated[Name | None, _end_point_ref(1)] = None
+    in_: TwoLinks | None = Field(None, alias="in")
+    turns: Annotated[Name | None, Ref("link")] = None
+    on: Annotated[Name | None, Ref("link")] = None
+    stiffness: Annotated[Expression | None, _law(u.STIFFNESS, u.TORSIONAL_STIFFNESS)] = None
+    free: Annotated[Expression | None, _FREE] = None
+    preload: Annotated[Expression | None, _law(u.FORCE, u.TORQUE, Sign.ANY)] = None
+    damping: Annotated[Expression | None, _law(u.DAMPING, u.TORSIONAL_DAMPING)] = None
+    force: Name | None = None
+    torque: Name | None = None
+    gas: Annotated[Expression | None, Quantity(u.FORCE, Sign.POSITIVE)] = None
+    progression: Annotated[Expression | None, Quantity(u.PURE, Sign.NOT_NEGATIVE)] = None
+    exponent: Annotated[Expression | None, Quantity(u.PURE, Sign.POSITIVE)] = None
+    length: Annotated[Interval | None, PART_LENGTH] = None
 
     def number_faults(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[tuple[Any, FaultWithin]]:
         if self.gas is not None and self.progression is not None:

@@ -10,8 +10,8 @@ from linkwright.studies.schema import studies_schema, with_section
 
 
 def file_schema() -> dict[str, Any]:
-    """The schema that editors complete from."""
-    schema = with_section(studies_schema(), "exports", "what to write for other tools, by target", TARGETS)
+    """The schema that editors complete from, described in the present language."""
+    schema = with_section(studies_schema(), "exports", TARGETS)
     return dict(_with_sections(schema))
 
 

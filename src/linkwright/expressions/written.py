@@ -19,6 +19,7 @@ from pydantic import (
 )
 from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, core_schema
 
+from linkwright.expressions.schema_texts import description
 from linkwright.findings import Term
 
 NO_TEXT = re.compile(r"[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
@@ -170,10 +171,9 @@ class Frozen(BaseModel):
 
 
 class Shortened(Frozen):
-    """A part that may be written as the value of its key ``main`` alone; ``alone`` says so in the schema."""
+    """A part that may be written as the value of its key ``main`` alone; the text ``schema.CLASS.alone`` says so."""
 
     main: ClassVar[str]
-    alone: ClassVar[str]
 
     @model_validator(mode="wrap")
     @classmethod
@@ -183,8 +183,8 @@ class Shortened(Frozen):
     @classmethod
     def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
         whole = handler.resolve_ref_schema(handler(schema))
-        short = {"type": ["number", "string"], "description": cls.alone}
-        return {"description": cls.__doc__, "anyOf": [short, whole]}
+        short = {"type": ["number", "string"], **description(f"{cls.__name__}.alone")}
+        return {"description": whole.get("description", ""), "anyOf": [short, whole]}
 
 
 def _again(line: Any) -> InitErrorDetails:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from pathlib import PurePosixPath, PureWindowsPath
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Discriminator, Field, Tag, WithJsonSchema
+from pydantic import BeforeValidator, Discriminator, Tag, WithJsonSchema
 
 from linkwright.elements.fields import Interval, freeze
 from linkwright.elements.load import crossed
@@ -78,18 +78,12 @@ CellRow = Annotated[
 class Table(Frozen):
     """A function given by points, inline or in a CSV file beside the model."""
 
-    file: FileBeside | None = Field(None, description="a CSV file beside the model; with x and y")
-    points: Annotated[tuple[CellRow, ...], BeforeValidator(_rows)] | None = Field(
-        None, description="the points [x, y] themselves, x ascending"
-    )
-    x: Column | None = Field(None, description="'COLUMN UNIT' of the argument in the file, e.g. 'angle deg'")
-    y: Column | None = Field(None, description="'COLUMN UNIT' of the value in the file, e.g. 'pressure bar'")
-    period: Annotated[Expression | None, _column_of(argument, Sign.POSITIVE, "period")] = Field(
-        None, description="the argument after which the table repeats itself"
-    )
-    between: Literal["linear", "cubic", "quintic"] = Field(
-        "cubic", description="how values between the points are found: straight lines or a spline"
-    )
+    file: FileBeside | None = None
+    points: Annotated[tuple[CellRow, ...], BeforeValidator(_rows)] | None = None
+    x: Column | None = None
+    y: Column | None = None
+    period: Annotated[Expression | None, _column_of(argument, Sign.POSITIVE, "period")] = None
+    between: Literal["linear", "cubic", "quintic"] = "cubic"
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:

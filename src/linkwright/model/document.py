@@ -49,15 +49,9 @@ Options = Annotated[dict[str, Any], BeforeValidator(_options), AfterValidator(Fr
 class Document(Mechanism):
     """A model file: a mechanism and the raw options of its studies and exports."""
 
-    linkwright: Annotated[Literal[1], BeforeValidator(_version)] = Field(
-        1, description="the version of the file format"
-    )
-    studies: Annotated[dict[Name, Options], _bound, freeze] = Field(
-        default_factory=FrozenDict, description="what is computed, with each study's options"
-    )
-    exports: Annotated[dict[Text, Options], _bound, freeze] = Field(
-        default_factory=FrozenDict, description="what is written for other tools, with each target's options"
-    )
+    linkwright: Annotated[Literal[1], BeforeValidator(_version)] = 1
+    studies: Annotated[dict[Name, Options], _bound, freeze] = Field(default_factory=FrozenDict)
+    exports: Annotated[dict[Text, Options], _bound, freeze] = Field(default_factory=FrozenDict)
 
     def __repr__(self) -> str:
         joints = sum(len(pin.links) - 1 for pin in pins(self).values()) + sum(1 for _ in self.joints_but_pins())

@@ -191,74 +191,33 @@ class Mechanism(Frozen):
     by :func:`linkwright.check`.
     """
 
-    name: Text = Field("mechanism", description="the mechanism's name, the title of its report")
-    note: LongText | None = Field(None, description="free text")
-    source: LongText | None = Field(
-        None, description="the paper, book or drawing that the mechanism is taken from; its report names it"
-    )
-    units: Units = Field(Units(), description="what numbers without a unit mean")
-    gravity: Gravity | None = Field(
-        None,
-        description="earth (9.80665 m/s^2, down is -y), 'earth along [x, y]' (any direction), or the acceleration "
-        "itself, [gx, gy], e.g. [0, -9.80665 m/s^2]; none unless given",
-    )
-    parameters: Annotated[dict[Name, Parameter], _bound, freeze] = Field(
-        default_factory=FrozenDict, description="named values"
-    )
-    sketch: Annotated[dict[Name, Place], _bound, freeze] = Field(
-        default_factory=FrozenDict,
-        description="places of points in the frame at the start of the motion; links list them by name; "
-        "with three coordinates each, in the vehicle's axes",
-    )
-    plane: Plane | None = Field(
-        None, description="the plane of a sketch of three coordinates, e.g. xz; found by least squares unless given"
-    )
-    links: Annotated[dict[Name, Link], at_most(MAX_LINKS), freeze] = Field(
-        description="the rigid links; the one that doesn't move is called frame"
-    )
-    joints: Annotated[dict[Name, _Joint], _bound, freeze] = Field(
-        default_factory=FrozenDict,
-        description="prismatic joints, pins in slots, and pins between points of different names; "
-        "points of the same name are pinned without being listed here",
-    )
-    cylinders: Annotated[dict[Name, Cylinder], _bound, freeze] = Field(
-        default_factory=FrozenDict,
-        description="cylinders and linear actuators: barrel, rod and their slide in one line",
-    )
+    name: Text = "mechanism"
+    note: LongText | None = None
+    source: LongText | None = None
+    units: Units = Units()
+    gravity: Gravity | None = None
+    parameters: Annotated[dict[Name, Parameter], _bound, freeze] = Field(default_factory=FrozenDict)
+    sketch: Annotated[dict[Name, Place], _bound, freeze] = Field(default_factory=FrozenDict)
+    plane: Plane | None = None
+    links: Annotated[dict[Name, Link], at_most(MAX_LINKS), freeze]
+    joints: Annotated[dict[Name, _Joint], _bound, freeze] = Field(default_factory=FrozenDict)
+    cylinders: Annotated[dict[Name, Cylinder], _bound, freeze] = Field(default_factory=FrozenDict)
     assembly: Annotated[dict[Annotated[Name, Ref("pivot")], AssemblyRule], _bound, freeze] = Field(
-        default_factory=FrozenDict,
-        description="on which side each group of links is put together, e.g. C: left of B-D",
+        default_factory=FrozenDict
     )
-    drives: Annotated[dict[Name, Drive], _bound, freeze] = Field(
-        default_factory=FrozenDict, description="the prescribed motions"
-    )
-    tables: Annotated[dict[Name, Table], _bound, freeze] = Field(
-        default_factory=FrozenDict, description="functions given by points, called by name in expressions"
-    )
-    laws: Annotated[dict[Name, MotionLaw], _bound, freeze] = Field(
-        default_factory=FrozenDict, description="motion laws by segments, called by name in a drive's position"
-    )
-    cams: Annotated[dict[Name, Cam], _bound, freeze] = Field(
-        default_factory=FrozenDict, description="plate cams with their followers, as joints between moving links"
-    )
-    loads: Annotated[dict[Name, _Load], _bound, freeze] = Field(
-        default_factory=FrozenDict, description="forces and torques on links"
-    )
-    springs: Annotated[dict[Name, _Spring], _bound, freeze] = Field(
-        default_factory=FrozenDict, description="springs, dampers and gas springs, between points or torsional"
-    )
-    counterweights: Annotated[dict[Name, _Counterweight], _bound, freeze] = Field(
-        default_factory=FrozenDict, description="masses added to links"
-    )
-    windows: Annotated[dict[Name, Window], _bound, freeze] = Field(
-        default_factory=FrozenDict,
-        description="stretches of the motion: [from, to] in time, or {SIGNAL: [from, to]}",
-    )
+    drives: Annotated[dict[Name, Drive], _bound, freeze] = Field(default_factory=FrozenDict)
+    tables: Annotated[dict[Name, Table], _bound, freeze] = Field(default_factory=FrozenDict)
+    laws: Annotated[dict[Name, MotionLaw], _bound, freeze] = Field(default_factory=FrozenDict)
+    cams: Annotated[dict[Name, Cam], _bound, freeze] = Field(default_factory=FrozenDict)
+    loads: Annotated[dict[Name, _Load], _bound, freeze] = Field(default_factory=FrozenDict)
+    springs: Annotated[dict[Name, _Spring], _bound, freeze] = Field(default_factory=FrozenDict)
+    counterweights: Annotated[dict[Name, _Counterweight], _bound, freeze] = Field(default_factory=FrozenDict)
+    windows: Annotated[dict[Name, Window], _bound, freeze] = Field(default_factory=FrozenDict)
     measures: Annotated[dict[Name, Annotated[SerializeAsAny[Measure], _AnyReduction()]], _bound, freeze] = Field(
-        default_factory=FrozenDict, description="the figures that are asked for"
+        default_factory=FrozenDict
     )
     require: Annotated[dict[Annotated[Name, Ref("measure")], Annotated[Requirement, BOUND]], _bound, freeze] = Field(
-        default_factory=FrozenDict, description="limits on measures, e.g. stroke: '>= 680 mm'"
+        default_factory=FrozenDict
     )
 
     @classmethod

@@ -79,47 +79,23 @@ _Via = Annotated[tuple[Annotated[Expression, _AXIS], Annotated[Expression, _VALU
 class SegmentEntry(Frozen):
     """One stretch of a motion: a dwell, a rise or fall, control values of a B-spline, a harmonic series."""
 
-    dwell: Annotated[Expression | None, _AXIS] = Field(None, description="at rest for so long")
-    rise: Annotated[Expression | None, _VALUE] = Field(
-        None, description="by so much up, negative down; with over and how"
-    )
-    fall: Annotated[Expression | None, _VALUE] = Field(
-        None, description="by so much down, as the mirror image of a rise"
-    )
-    over: Annotated[Expression | None, _AXIS] = Field(None, description="the way along the axis that the segment takes")
-    law: LawName | None = Field(None, description="the name of a law, such as cycloidal, modified_sine, poly_345")
-    skew: Annotated[Expression | None, Quantity(PURE)] = Field(
-        None, description="where the greatest velocity of a symmetric law is reached, 0 to 1; 0.5 unless given"
-    )
-    fractions: Annotated[Numbers | None, Quantity(PURE)] = Field(
-        None, description="[b, c, d, z] of the SCCA family, sum 1, or the widths of all seven zones"
-    )
-    powers: Powers | None = Field(None, description="the powers of a polynomial law, e.g. [3, 4, 5]")
-    formula: Annotated[Expression | None, _FORMULA] = Field(
-        None, description="a law of one's own in u, from 0 at u = 0 to 1 at u = 1"
-    )
-    match: Literal["velocity", "acceleration", "jerk"] | None = Field(
-        None, description="a polynomial that takes its end rates, up to this one, from its neighbours"
-    )
-    from_: Annotated[Numbers | None, _RATES] = Field(
-        None, alias="from", description="[velocity, acceleration, ...] at the start, by the axis"
-    )
-    to: Annotated[Numbers | None, _RATES] = Field(
-        None, description="[velocity, acceleration, ...] at the end, by the axis"
-    )
-    via: Annotated[tuple[_Via, ...], SOME_ROWS] | None = Field(
-        None, description="points [way, height] passed, both from the segment's start"
-    )
-    spline: Literal["cubic", "quintic"] | None = Field(
-        None, description="a spline through via instead of one polynomial"
-    )
-    control: Annotated[Numbers | None, _VALUE] = Field(
-        None, description="the control values of a B-spline; with over and degree"
-    )
-    degree: Annotated[int, Field(ge=2, le=9)] | None = Field(None, description="of the B-spline; 5 unless given")
-    harmonics: Annotated[Rows | None, _VALUE] = Field(
-        None, description="[[a1, b1], [a2, b2], ...] of the series a cos + b sin, once over the segment"
-    )
+    dwell: Annotated[Expression | None, _AXIS] = None
+    rise: Annotated[Expression | None, _VALUE] = None
+    fall: Annotated[Expression | None, _VALUE] = None
+    over: Annotated[Expression | None, _AXIS] = None
+    law: LawName | None = None
+    skew: Annotated[Expression | None, Quantity(PURE)] = None
+    fractions: Annotated[Numbers | None, Quantity(PURE)] = None
+    powers: Powers | None = None
+    formula: Annotated[Expression | None, _FORMULA] = None
+    match: Literal["velocity", "acceleration", "jerk"] | None = None
+    from_: Annotated[Numbers | None, _RATES] = Field(None, alias="from")
+    to: Annotated[Numbers | None, _RATES] = None
+    via: Annotated[tuple[_Via, ...], SOME_ROWS] | None = None
+    spline: Literal["cubic", "quintic"] | None = None
+    control: Annotated[Numbers | None, _VALUE] = None
+    degree: Annotated[int, Field(ge=2, le=9)] | None = None
+    harmonics: Annotated[Rows | None, _VALUE] = None
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
@@ -157,20 +133,14 @@ class SegmentEntry(Frozen):
 class MotionLaw(Frozen):
     """A function of an angle or a time, by segments; drives call it by its name."""
 
-    over: Literal["angle", "time"] = Field(description="what it is a function of")
-    of: Literal["angle", "length"] = Field(description="what it gives")
-    start: Annotated[Expression, Quantity(lambda c: c.entry.value)] = Field(
-        Expression(0), description="the value at the beginning; 0 unless given"
-    )
-    period: Annotated[Expression | None, Quantity(lambda c: c.entry.axis)] = Field(
-        None, description="what the segments add up to; 360 deg over an angle unless given, over a time any"
-    )
-    beyond: Literal["repeat", "advance", "hold"] = Field(
-        "repeat", description="behind the last segment: all again; again from the value reached; rest"
-    )
+    over: Literal["angle", "time"]
+    of: Literal["angle", "length"]
+    start: Annotated[Expression, Quantity(lambda c: c.entry.value)] = Expression(0)
+    period: Annotated[Expression | None, Quantity(lambda c: c.entry.axis)] = None
+    beyond: Literal["repeat", "advance", "hold"] = "repeat"
     segments: Annotated[
         tuple[SegmentEntry, ...], _non_empty_list(lambda raw: unexpected("segments", raw), MAX_SEGMENTS)
-    ] = Field(description="one after the other, from 0 on")
+    ]
 
     @property
     def axis(self) -> Dimension:

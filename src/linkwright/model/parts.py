@@ -40,15 +40,13 @@ from linkwright.model.tolerances import Tolerance
 class Units(Frozen):
     """What bare numbers mean: the unit of each quantity that the file gives without one."""
 
-    length: Text | None = Field(None, description="unit of bare lengths", examples=["mm", "m", "in"])
-    angle: Text | None = Field(None, description="unit of bare angles", examples=["deg", "rad"])
-    mass: Text | None = Field(None, description="unit of bare masses", examples=["kg", "g"])
-    time: Text | None = Field(None, description="unit of bare times", examples=["s", "ms", "min"])
-    force: Text | None = Field(None, description="unit of bare forces", examples=["N", "kN"])
-    torque: Text | None = Field(
-        None, description="unit of bare torques; force times length where left out", examples=["N*m", "N*mm"]
-    )
-    pressure: Text | None = Field(None, description="unit of bare pressures", examples=["bar", "MPa"])
+    length: Text | None = Field(None, examples=["mm", "m", "in"])
+    angle: Text | None = Field(None, examples=["deg", "rad"])
+    mass: Text | None = Field(None, examples=["kg", "g"])
+    time: Text | None = Field(None, examples=["s", "ms", "min"])
+    force: Text | None = Field(None, examples=["N", "kN"])
+    torque: Text | None = Field(None, examples=["N*m", "N*mm"])
+    pressure: Text | None = Field(None, examples=["bar", "MPa"])
 
     @property
     def declared(self) -> dict[str, str]:
@@ -64,17 +62,10 @@ class Parameter(Shortened):
     """A named value, that a study may vary or differentiate by. In a file mostly written as its value alone."""
 
     main = "value"
-    alone = "the value alone"
 
-    value: Annotated[Expression, OWN] = Field(
-        description="a number, with or without unit, or arithmetic on other parameters"
-    )
-    tolerance: Annotated[Tolerance | None, OWN] = Field(
-        None,
-        description="deviation in manufacture: one number for plus and minus, [lower, upper], a class such as "
-        "ISO 2768-m, h7 or IT8, or a mapping that says more",
-    )
-    note: LongText | None = Field(None, description="free text")
+    value: Annotated[Expression, OWN]
+    tolerance: Annotated[Tolerance | None, OWN] = None
+    note: LongText | None = None
 
 
 def _direction(raw: Any) -> Any:
@@ -90,17 +81,10 @@ class Plane(Shortened):
     """The plane of a sketch in the vehicle's coordinates. Mostly written as two axes alone."""
 
     main = "axes"
-    alone = "the two axes alone"
 
-    axes: Literal["xy", "xz", "yz", "yx", "zx", "zy"] | None = Field(
-        None, description="the vehicle's axes that the plane's own x and y are along, e.g. xz"
-    )
-    normal: Annotated[tuple[float, float, float], BeforeValidator(_direction)] | None = Field(
-        None, description="instead of axes: the direction of the joints' axes, [nx, ny, nz], to either side"
-    )
-    within: Annotated[Expression | None, Quantity(u.LENGTH)] = Field(
-        None, description="how far pinned points may be off the plane; beyond is an error"
-    )
+    axes: Literal["xy", "xz", "yz", "yx", "zx", "zy"] | None = None
+    normal: Annotated[tuple[float, float, float], BeforeValidator(_direction)] | None = None
+    within: Annotated[Expression | None, Quantity(u.LENGTH)] = None
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
@@ -146,18 +130,11 @@ MASS = Quantity(u.MASS, Sign.NOT_NEGATIVE, "mass")
 class Link(Frozen):
     """A rigid link: its points in its own frame, and its mass if it has one."""
 
-    points: Points = Field(
-        description="named points, [x, y] or 'r at angle' in the link's frame, or a list of the names of sketched "
-        "points; a name that several links share is a pin between them"
-    )
-    mass: Annotated[Expression | None, MASS] = Field(None, description="mass; with com and inertia, or with shape")
-    com: Position | None = Field(None, description="centre of mass in the link's frame")
-    inertia: Annotated[Expression | None, INERTIA] = Field(
-        None, description="moment of inertia about the centre of mass"
-    )
-    shape: Annotated[Shape | None, Ref("point", of=lambda c: c.name)] = Field(
-        None, description="'rod A-B', 'disc RADIUS at A' or 'point A', instead of com and inertia"
-    )
+    points: Points
+    mass: Annotated[Expression | None, MASS] = None
+    com: Position | None = None
+    inertia: Annotated[Expression | None, INERTIA] = None
+    shape: Annotated[Shape | None, Ref("point", of=lambda c: c.name)] = None
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
@@ -174,17 +151,11 @@ class Link(Frozen):
 class Joint(Frozen):
     """A prismatic joint (a line on each of two links), or a revolute one between points of different names."""
 
-    prismatic: TwoLinks | None = Field(None, description="the two links that slide on each other; with line")
-    line: Annotated[TwoLines | None, Ref("point", of="prismatic")] = Field(
-        None, description="the line on each of the two links, e.g. [H at 0 deg, G at 0 deg]"
-    )
-    travel: Annotated[Interval | None, Quantity(u.LENGTH, ends=Ends.RISING)] = Field(
-        None, description="[lowest, highest] travel (the signal NAME.s) of a prismatic joint; a run beyond is an error"
-    )
-    revolute: TwoLinks | None = Field(None, description="the two links that are pinned; with at")
-    at: Annotated[TwoPoints | None, Ref("point", of="revolute")] = Field(
-        None, description="the pinned point of each of the two links"
-    )
+    prismatic: TwoLinks | None = None
+    line: Annotated[TwoLines | None, Ref("point", of="prismatic")] = None
+    travel: Annotated[Interval | None, Quantity(u.LENGTH, ends=Ends.RISING)] = None
+    revolute: TwoLinks | None = None
+    at: Annotated[TwoPoints | None, Ref("point", of="revolute")] = None
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:

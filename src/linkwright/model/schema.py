@@ -4,21 +4,23 @@ from __future__ import annotations
 
 from typing import Any
 
+from linkwright.expressions.schema_texts import described
 from linkwright.model.document import VERSION, Document
+from linkwright.words import say
 
 _NAMED = ("properties", "patternProperties", "$defs")
 """Keywords whose entries are schemas by name."""
 
 
 def json_schema() -> dict[str, Any]:
-    """The schema of a model file (JSON Schema 2020-12). Studies and exports stand in it as free mappings."""
-    schema = _plain(Document.model_json_schema(by_alias=True))
+    """The schema of a model file (JSON Schema 2020-12), described in the present language. Studies and exports stand in
+    it as free mappings."""
+    schema = _plain(described(Document))
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "$id": f"urn:linkwright:model:{VERSION}",
         **schema,
-        "title": "linkwright model file",
-        "description": "A planar mechanism: links, joints, drives, loads, measures, studies and exports.",
+        "title": say("schema.title"),
         "required": ["linkwright", "links"],
     }
 

@@ -6,9 +6,10 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator, Discriminator, Field, Tag, WithJsonSchema
+from pydantic import BeforeValidator, Discriminator, Tag, WithJsonSchema
 
 from linkwright.expressions.fields import Expression, Frozen, Two, Written, pair
+from linkwright.expressions.schema_texts import Described
 from linkwright.expressions.typed_fields import Quantity
 from linkwright.expressions.units import LENGTH, PURE
 from linkwright.expressions.written import Fault, fault
@@ -46,9 +47,7 @@ def _kind(raw: Any) -> str:
 
 _PAIR = Annotated[Two, BeforeValidator(pair("tolerance")), Tag("a pair")]
 # Of the schemas of a union just one may fit: a text is an expression or a class.
-_CLASS = Annotated[
-    ClassName, Tag("a class"), WithJsonSchema({**ClassName.json_type, "description": "an expression, or a class"})
-]
+_CLASS = Annotated[ClassName, Tag("a class"), Described("Tolerance.class")]
 _NUMBER = Annotated[Expression, Tag("a number"), WithJsonSchema({"type": "number"})]
 Limits = Annotated[
     _PAIR | _CLASS | _NUMBER,
@@ -70,11 +69,9 @@ DistributionName = Annotated[
 class Spread(Frozen):
     """How deviations are distributed between their limits."""
 
-    distribution: DistributionName | None = Field(None, description="normal, uniform, triangular, truncated")
-    cp: Annotated[Expression | None, Quantity(PURE)] = Field(
-        None, description="capability: the standard deviation is the limits' width/(6 cp)"
-    )
-    sigma: Expression | None = Field(None, description="the standard deviation, instead of cp")
+    distribution: DistributionName | None = None
+    cp: Annotated[Expression | None, Quantity(PURE)] = None
+    sigma: Expression | None = None
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
@@ -88,12 +85,8 @@ class Spread(Frozen):
 class StatedTolerance(Spread):
     """A tolerance with all that can be said of it."""
 
-    limits: Limits | None = Field(
-        None, description="one number for plus and minus, [lower, upper], or a class; else the study's general one"
-    )
-    side: Annotated[Expression | None, Quantity(LENGTH)] = Field(
-        None, description="of an angle: the length of its shorter side, by which a class tells its limits"
-    )
+    limits: Limits | None = None
+    side: Annotated[Expression | None, Quantity(LENGTH)] = None
 
 
 Tolerance = Annotated[

@@ -1,5 +1,5 @@
 """How wide letters are, and where a line of them may end: hanzi take two columns, and may stand at the end of a line
-without a space."""
+without a space, which none is added for where lines are joined."""
 
 from __future__ import annotations
 
@@ -14,12 +14,20 @@ FONT = (
 """The fonts of pictures, as CSS has them: those of Latin letters, then those of hanzi."""
 _WIDE = "\u2e80-\u9fff\uf900-\ufaff\uff00-\uffef"
 _CLOSING = "，。；：、）”！？》"
+_FULL_WIDTH = "，。；：、！？（）《》"
+_UNSPACED = re.compile(f"(?<=[{_FULL_WIDTH}]) | (?=[{_FULL_WIDTH}])|(?<=[{_WIDE}]) (?=[{_WIDE}“])|(?<=”) (?=[{_WIDE}])")
+"""Spaces beside full-width punctuation, and between hanzi."""
 _PART = re.compile(f"[“（《]*[{_WIDE}][{_CLOSING}]*|[^\\s{_WIDE}]+[{_CLOSING}]*|\\s+")
 
 
 def columns(text: str) -> int:
     """How many columns of a terminal a text takes; in pictures, how many letters' widths."""
     return sum(2 if east_asian_width(letter) in "WF" else 1 for letter in text)
+
+
+def joined(text: str) -> str:
+    """A text whose lines YAML has joined by spaces, without those that Chinese doesn't have there."""
+    return _UNSPACED.sub("", text)
 
 
 def folded(text: str, room: int) -> Iterator[str]:

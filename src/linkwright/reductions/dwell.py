@@ -9,7 +9,6 @@ from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import Field
 
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.typed_fields import Quantity, Sign
@@ -35,12 +34,8 @@ class DwellEntry(Measure):
 
     reduction = "dwell"
     dimension = TIME
-    dwell: Annotated[Expression, SIGNAL] = Field(
-        description="the longest time in which this signal expression stays in a band; with within"
-    )
-    within: Annotated[Expression, Quantity(of_signal, Sign.POSITIVE, "within")] = Field(
-        description="the whole width of the band of a dwell"
-    )
+    dwell: Annotated[Expression, SIGNAL]
+    within: Annotated[Expression, Quantity(of_signal, Sign.POSITIVE, "within")]
 
     @classmethod
     def key_faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:

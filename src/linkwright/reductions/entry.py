@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, ClassVar, Self
 
-from pydantic import BeforeValidator, Field, ModelWrapValidatorHandler, model_serializer, model_validator
+from pydantic import BeforeValidator, ModelWrapValidatorHandler, model_serializer, model_validator
 from pydantic_core.core_schema import SerializerFunctionWrapHandler
 
 from linkwright.elements.fields import Interval
@@ -65,15 +65,9 @@ class Measure(Frozen):
     dimension: ClassVar[Dimension | None] = None
     """What the figure is, where it isn't of the kind of the signal."""
 
-    window: Annotated[Name | None, Ref("window")] = Field(
-        None, description="the window (of windows) to which the measure is confined"
-    )
-    wrap: Annotated[Interval | None, Quantity(lambda c: figure(c.name, c.entry), ends=Ends.RISING)] = Field(
-        None, description="[low, high]: whole turns are added until it lies there"
-    )
-    unit: Annotated[str, BeforeValidator(_unit)] | None = Field(
-        None, description="unit of the figure, instead of the declared one"
-    )
+    window: Annotated[Name | None, Ref("window")] = None
+    wrap: Annotated[Interval | None, Quantity(lambda c: figure(c.name, c.entry), ends=Ends.RISING)] = None
+    unit: Annotated[str, BeforeValidator(_unit)] | None = None
 
     @classmethod
     def key_faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:

@@ -8,7 +8,6 @@ from typing import Annotated, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import Field
 
 from linkwright.expressions.fields import Expression
 from linkwright.reductions.derivative import Derivative
@@ -49,28 +48,28 @@ class MaxEntry(Measure):
     """The largest value of a signal."""
 
     reduction = "max"
-    max: Annotated[Expression, SIGNAL] = Field(description="largest value")
+    max: Annotated[Expression, SIGNAL]
 
 
 class MinEntry(Measure):
     """The smallest value of a signal."""
 
     reduction = "min"
-    min: Annotated[Expression, SIGNAL] = Field(description="smallest value")
+    min: Annotated[Expression, SIGNAL]
 
 
 class ExtremesEntry(Measure):
     """Both extremes of a signal."""
 
     reduction = "extremes"
-    extremes: Annotated[Expression, SIGNAL] = Field(description="both: the smallest and the largest value")
+    extremes: Annotated[Expression, SIGNAL]
 
 
 class SpanEntry(Measure):
     """What lies between the extremes of a signal."""
 
     reduction = "span"
-    span: Annotated[Expression, SIGNAL] = Field(description="largest less smallest value of this signal expression")
+    span: Annotated[Expression, SIGNAL]
 
 
 @register

@@ -8,7 +8,6 @@ from typing import Annotated, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import Field
 
 from linkwright.expressions.fields import Expression, Name
 from linkwright.expressions.typed_fields import Ref
@@ -56,14 +55,14 @@ class MeanEntry(Measure):
     """The mean of a signal."""
 
     reduction = "mean"
-    mean: Annotated[Expression, SIGNAL] = Field(description="mean over time")
+    mean: Annotated[Expression, SIGNAL]
 
 
 class RmsEntry(Measure):
     """The root mean square of a signal."""
 
     reduction = "rms"
-    rms: Annotated[Expression, SIGNAL] = Field(description="root of the mean square over time")
+    rms: Annotated[Expression, SIGNAL]
 
 
 class PathEntry(OfPath):
@@ -72,7 +71,7 @@ class PathEntry(OfPath):
     reduction = "path"
     dimension = LENGTH
     along = ("hypot({0}.vx, {0}.vy)", SPEED)
-    path: Annotated[Name, Ref("point")] = Field(description="the length of this point's path")
+    path: Annotated[Name, Ref("point")]
 
 
 @register

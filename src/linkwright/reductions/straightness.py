@@ -8,7 +8,6 @@ from typing import Annotated
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import Field
 
 from linkwright.expressions.fields import Name
 from linkwright.expressions.typed_fields import Ref
@@ -35,9 +34,7 @@ class StraightnessEntry(OfPath):
     reduction = "straightness"
     dimension = LENGTH
     along = ("{0}.x", LENGTH)
-    straightness: Annotated[Name, Ref("point")] = Field(
-        description="the distance of the two closest parallel lines that hold this point's path"
-    )
+    straightness: Annotated[Name, Ref("point")]
 
 
 @register

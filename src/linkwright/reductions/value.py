@@ -62,10 +62,9 @@ class ValueEntry(Measure):
     """The value of a signal at one instant."""
 
     reduction = "value"
-    value: Annotated[Expression, SIGNAL] = Field(description="value at one instant; with where")
+    value: Annotated[Expression, SIGNAL]
     where: Annotated[str, BeforeValidator(_where)] = Field(
-        description="the instant of a value: 'max E.x', 'min E.x', 'motor.angle = 24 deg', 'start' or 'end'",
-        examples=["max E.x", "min E.x", "motor.angle = 24 deg", "start", "end"],
+        examples=["max E.x", "min E.x", "motor.angle = 24 deg", "start", "end"]
     )
 
     @classmethod

@@ -15,6 +15,7 @@ from linkwright.findings import Finding, Said, Text
 from linkwright.model.document import Document, dump
 from linkwright.model.origin import Origin, hashed
 from linkwright.presentation.json_numbers import listed
+from linkwright.presentation.lettering import joined
 from linkwright.report.cam_shapes import cam_shapes
 from linkwright.report.centrodes import centrodes
 from linkwright.report.data import (
@@ -65,8 +66,8 @@ def report_data(
     findings = [*examined, *found(outcomes)]
     data: ReportData = {
         "title": document.title,
-        "subtitle": document.note or "",
-        "source": Said("report.source", source=document.source) if document.source else "",
+        "subtitle": joined(document.note or ""),
+        "source": Said("report.source", source=joined(document.source)) if document.source else "",
         "origin": origin_text(origin),
         "version": origin.version,
         "time": axis(result),

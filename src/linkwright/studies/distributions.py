@@ -51,9 +51,9 @@ def _pointed(points: Array) -> ParameterSpread:
 class Steps(Frozen):
     """Equal steps, both ends included."""
 
-    from_: Expression = Field(alias="from", description="the first value")
-    to: Expression = Field(description="the last value")
-    count: int = Field(le=MOST_STEPS, description="how many values, both ends among them")
+    from_: Expression = Field(alias="from")
+    to: Expression
+    count: int = Field(le=MOST_STEPS)
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
@@ -136,10 +136,10 @@ class Normal(Distribution):
     """The normal distribution about a mean, cut to low .. high where these are given."""
 
     name = "normal"
-    normal: Expression = Field(description="the mean")
-    sigma: Expression = Field(description="the standard deviation, before it is cut")
-    low: Expression | None = Field(None, description="the least value")
-    high: Expression | None = Field(None, description="the largest value")
+    normal: Expression
+    sigma: Expression
+    low: Expression | None = None
+    high: Expression | None = None
 
     def parts(self) -> list[tuple[Place, Expression]]:
         given = ((key, getattr(self, key)) for key in ("normal", "sigma", "low", "high"))
@@ -187,7 +187,7 @@ class Uniform(Distribution):
     """Every value between two ends alike."""
 
     name = "uniform"
-    uniform: Interval = Field(description="[low, high]")
+    uniform: Interval
 
     def parts(self) -> list[tuple[Place, Expression]]:
         return [(("uniform", i), part) for i, part in enumerate(self.uniform)]
@@ -212,9 +212,7 @@ class Triangular(Distribution):
     """Between two ends, the density rising to the most likely value and falling from there."""
 
     name = "triangular"
-    triangular: Annotated[tuple[Expression, Expression, Expression], BeforeValidator(_three)] = Field(
-        description="[low, most likely, high]"
-    )
+    triangular: Annotated[tuple[Expression, Expression, Expression], BeforeValidator(_three)]
 
     def parts(self) -> list[tuple[Place, Expression]]:
         return [(("triangular", i), part) for i, part in enumerate(self.triangular)]

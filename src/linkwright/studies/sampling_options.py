@@ -40,13 +40,9 @@ class Sampling(Frozen):
     if TYPE_CHECKING:
         kernel: str  # a field of each study, since its faults name the study
 
-    poses: int | None = Field(
-        None, ge=1, le=100_000, description="equal steps at whose ends signals are taken; the cycle's by default"
-    )
-    outputs: tuple[Expression, ...] | None = Field(
-        None, min_length=1, max_length=1000, description="measures by name, signals, expressions; else all measures"
-    )
-    histogram: int = Field(40, ge=2, le=1000, description="bins of the histogram of a measure")
+    poses: int | None = Field(None, ge=1, le=100_000)
+    outputs: tuple[Expression, ...] | None = Field(None, min_length=1, max_length=1000)
+    histogram: int = Field(40, ge=2, le=1000)
     _cycle: CycleOptions | None = PrivateAttr(None)
 
     @model_validator(mode="after")

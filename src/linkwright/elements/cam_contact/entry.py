@@ -19,14 +19,10 @@ class Second(Frozen):
     """What rides on the second disc of a conjugate pair, on the same follower and shaft; what is left out is as on the
     first. Its place gives the disc's base circle, or the other way round."""
 
-    base: Annotated[Expression | None, _RADIUS] = Field(
-        None, description="radius of its base circle; the first one's unless at is given"
-    )
-    roller: Annotated[Expression | None, _RADIUS] = Field(
-        None, description="radius of its roller; the first one's unless given"
-    )
-    at: Name | None = Field(None, description="the second roller's centre, or the second edge: a point of the follower")
-    face: LineOn | None = Field(None, description="the follower's second face, on the other side of the cam")
+    base: Annotated[Expression | None, _RADIUS] = None
+    roller: Annotated[Expression | None, _RADIUS] = None
+    at: Name | None = None
+    face: LineOn | None = None
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
@@ -43,46 +39,20 @@ class Second(Frozen):
 class Cam(Frozen):
     """A plate cam on a link that a drive turns, and the follower that rides on it by a law over the cam's angle."""
 
-    cam: Annotated[Name, Ref("link")] = Field(
-        description="the link that carries the cam; a drive turns it on the link named by on"
-    )
-    follower: Annotated[Name, Ref("link")] = Field(
-        description="the link that rides on the cam, pinned to or sliding on the same link"
-    )
-    on_: Annotated[Name, Ref("link")] = Field(
-        alias="on", description="the link on which both the cam and the follower are carried"
-    )
-    base: Annotated[Expression, _RADIUS] = Field(
-        description="radius of the cam's base circle, on which the law's lift is 0"
-    )
-    law: Annotated[Name, Ref("law")] = Field(
-        description="the motion law, over an angle; its value is an angle for a follower on a pin, a length on a slide"
-    )
-    phase: Annotated[Expression, Quantity(ANGLE)] = Field(
-        Expression(0), description="where in the law the cam stands at the motor's value 0"
-    )
-    sense: Literal["counter-clockwise", "clockwise"] | None = Field(
-        None,
-        description="the sense of turn in which the cam runs through the law; that of the motor's speed unless given",
-    )
-    roller: Annotated[Expression | None, _RADIUS] = Field(None, description="radius of the follower's roller; with at")
-    at: Name | None = Field(None, description="the roller's centre, a point of the follower")
-    knife: Name | None = Field(None, description="the point of the follower that slides on the cam as a knife edge")
-    face: LineOn | None = Field(
-        None, description="the follower's flat face, e.g. F at 0 deg; on a pin the direction points to its free end"
-    )
-    side: Annotated[AssemblyRule | None, ELSEWHERE] = Field(
-        None,
-        description="where the follower lies: 'left of O-A' (shaft-pivot), or 'ahead of O along SLIDE' (unless given)",
-    )
-    closed: Literal["force", "groove", "conjugate", "yoke"] = Field(
-        "force",
-        description="what keeps the follower on the cam: a force such as a spring's, a groove for the roller, a second "
-        "disc on the shaft, or a yoke around the disc (sliding followers)",
-    )
-    second: Second | None = Field(
-        None, description="with closed: conjugate, what rides on the second disc; as the first unless given"
-    )
+    cam: Annotated[Name, Ref("link")]
+    follower: Annotated[Name, Ref("link")]
+    on_: Annotated[Name, Ref("link")] = Field(alias="on")
+    base: Annotated[Expression, _RADIUS]
+    law: Annotated[Name, Ref("law")]
+    phase: Annotated[Expression, Quantity(ANGLE)] = Expression(0)
+    sense: Literal["counter-clockwise", "clockwise"] | None = None
+    roller: Annotated[Expression | None, _RADIUS] = None
+    at: Name | None = None
+    knife: Name | None = None
+    face: LineOn | None = None
+    side: Annotated[AssemblyRule | None, ELSEWHERE] = None
+    closed: Literal["force", "groove", "conjugate", "yoke"] = "force"
+    second: Second | None = None
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:

@@ -40,16 +40,10 @@ INSTANT = 1e-9
 class MjcfOptions(Frozen):
     """What MuJoCo needs that a mechanism doesn't say."""
 
-    tiny_mass: Annotated[Expression | None, Quantity(u.MASS)] = Field(
-        None, description="mass that links without one get; 1 g where left out"
-    )
-    timestep: Annotated[Expression | None, Quantity(u.TIME)] = Field(
-        None, description="time step of MuJoCo; 1 ms where left out"
-    )
-    duration: Annotated[Expression | None, Quantity(u.TIME)] = Field(
-        None, description="how long the motion lasts; that of the cycle where left out"
-    )
-    samples: int = Field(200, ge=1, le=100_000, description="equal steps of the motion in the table of positions")
+    tiny_mass: Annotated[Expression | None, Quantity(u.MASS)] = None
+    timestep: Annotated[Expression | None, Quantity(u.TIME)] = None
+    duration: Annotated[Expression | None, Quantity(u.TIME)] = None
+    samples: int = Field(200, ge=1, le=100_000)
 
 
 @register

@@ -29,11 +29,9 @@ PROVEN = 1e-9
 class MotorOptions(Frozen):
     """How the texts are written, and over which time."""
 
-    dialect: Literal["creo", "radians"] = Field("creo", description="creo: sin and cos take degrees; or radians")
-    duration: Annotated[Expression | None, Quantity(TIME)] = Field(
-        None, description="how long the motion lasts; that of the cycle where left out"
-    )
-    samples: int = Field(360, ge=1, le=100_000, description="equal steps of the table of values")
+    dialect: Literal["creo", "radians"] = "creo"
+    duration: Annotated[Expression | None, Quantity(TIME)] = None
+    samples: int = Field(360, ge=1, le=100_000)
 
 
 @register

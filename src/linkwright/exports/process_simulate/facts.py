@@ -37,14 +37,10 @@ STILL = 1e-9
 class Facts(Frozen):
     """What the sheet tells beside the joint functions."""
 
-    panel: Annotated[Name | None, Ref("moving")] = Field(
-        None, description="the link whose opening is told; by default the one of handle or outline, else the coupler"
-    )
-    handle: PointName | None = Field(None, description="the point where a hand opens; it acts along the point's path")
-    outline: tuple[PointName, ...] = Field(
-        (), max_length=200, description="points of the panel in order around it; the area that they sweep is drawn"
-    )
-    samples: int = Field(180, ge=8, le=5000, description="equal steps of the driving range")
+    panel: Annotated[Name | None, Ref("moving")] = None
+    handle: PointName | None = None
+    outline: tuple[PointName, ...] = Field((), max_length=200)
+    samples: int = Field(180, ge=8, le=5000)
 
 
 @dataclass(frozen=True)

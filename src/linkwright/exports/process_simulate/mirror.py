@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from pydantic import Field
-
 from linkwright.exports.process_simulate.joints import ToolJoint
 from linkwright.expressions.fields import Frozen
 from linkwright.studies.sampling_options import one_of
@@ -18,15 +16,9 @@ Signs = one_of("process-simulate", "mirror.signs", ["mirrored", "same"], "export
 class Mirror(Frozen):
     """How the joints of the two hinges are called and count in the tool."""
 
-    suffixes: tuple[str, str] | None = Field(
-        None, description="what follows each joint's name on the first and on the second side; _l and _r by default"
-    )
-    prefixes: tuple[str, str] | None = Field(None, description="what stands before it")
-    signs: Signs = Field(  # type: ignore[valid-type]
-        "mirrored",
-        description="mirrored: the second side's axes are mirror images of the first one's, so that its turns count "
-        "the other way, its slides the same; same: both sides count the same",
-    )
+    suffixes: tuple[str, str] | None = None
+    prefixes: tuple[str, str] | None = None
+    signs: Signs = "mirrored"  # type: ignore[valid-type]
 
     @property
     def distinct(self) -> bool:

@@ -57,42 +57,22 @@ def _of_stops(c: Context) -> Wanted | None:
 class ProcessSimulateOptions(Frozen):
     """In which dialect, over which range, and what the joints are called in the tool."""
 
-    dialect: Which = Field("seed", description="seed (acos, sqrt, sin, cos) or wizard (acos, sin, atan2)")  # type: ignore[valid-type]
+    dialect: Which = "seed"  # type: ignore[valid-type]
     names: Annotated[dict[NameField, str], freeze] = Field(
-        default_factory=FrozenDict,
-        description="names of joints in the tool; else those of the model",
-        examples=[{"A": "j2", "B": "j3", "C": "j4"}],
+        default_factory=FrozenDict, examples=[{"A": "j2", "B": "j3", "C": "j4"}]
     )
-    master: NameField | None = Field(
-        None,
-        description="the joint that all functions ask for, by its name in the model or in the tool; else the one that "
-        "the drive moves",
-        examples=["j2"],
-    )
-    mirror: Mirror | None = Field(
-        None, description="write the functions of two hinges that mirror each other and move in step, in one file"
-    )
-    zero: Annotated[Expression | None, _MOVED] = Field(
-        None, description="the drive's value in the pose in which all joints are 0; else that at the start"
-    )
-    range: Annotated[Interval | None, _MOVED] = Field(
-        None, description="[low, high] of the drive's value; else all that it reaches from its start, short of toggles"
-    )
-    stops: Annotated[Interval | None, Quantity(_of_stops)] = Field(
-        None,
-        description="[low, high] of the driving joint since the zero pose, as the tool counts it, in place of range",
-    )
-    flipped: tuple[NameField, ...] = Field(
-        (), description="joints that count the other way in the tool: turned axes, parent and child exchanged"
-    )
-    left_out: tuple[NameField, ...] = Field((), description="joints that the tool doesn't have")
-    decimals: int = Field(9, ge=9, le=15, description="the fewest decimals; more are taken where the error wants it")
-    longest: int | None = Field(None, ge=20, description="the longest text; longer ones are split over helping joints")
-    approximate: float | None = Field(
-        None, gt=0, le=1, description="error (rad or mm) of polynomials, where a group has no closed form"
-    )
+    master: NameField | None = Field(None, examples=["j2"])
+    mirror: Mirror | None = None
+    zero: Annotated[Expression | None, _MOVED] = None
+    range: Annotated[Interval | None, _MOVED] = None
+    stops: Annotated[Interval | None, Quantity(_of_stops)] = None
+    flipped: tuple[NameField, ...] = ()
+    left_out: tuple[NameField, ...] = ()
+    decimals: int = Field(9, ge=9, le=15)
+    longest: int | None = Field(None, ge=20)
+    approximate: float | None = Field(None, gt=0, le=1)
 
-    sheet: Facts = Field(Facts(), description="what the sheet tells beside the functions")
+    sheet: Facts = Facts()
 
     def wish(self, compiled: Compiled) -> Wish:
         """What is asked for, in SI. Raises DimensionError where a value doesn't fit."""

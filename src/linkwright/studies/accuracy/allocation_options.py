@@ -43,10 +43,9 @@ class AllocationTarget(Shortened):
     """A target: the half-width of an output."""
 
     main = "within"
-    alone = "plus and minus alone"
 
-    within: Expression = Field(description="plus and minus, in the output's unit")
-    method: Method | None = Field(None, description="rss or worst, instead of that of all")
+    within: Expression
+    method: Method | None = None
 
 
 def _of_contributor(c: Context) -> str | u.Dimension:
@@ -58,15 +57,11 @@ def _of_contributor(c: Context) -> str | u.Dimension:
 class Allocate(Frozen):
     """The cheapest tolerances for a wanted accuracy."""
 
-    targets: Annotated[dict[OutputName, AllocationTarget], of_output(4), freeze] = Field(
-        min_length=1, max_length=100, description="by output, the half-width that is wanted"
-    )
-    method: Method = Field("rss", description="rss: the target is so many sigmas; worst: the linear worst case")
-    sigmas: float = Field(3.0, gt=0, le=100, description="how many sigmas of an output its target means, with rss")
-    costs: Annotated[dict[str, AnyCost], Quantity(_of_contributor), freeze] = Field(
-        min_length=1, max_length=1000, description="by parameter, its cost law; others keep their tolerances"
-    )
-    grades: bool = Field(False, description="round to standard grades (ISO 286); a cost table means it anyway")
+    targets: Annotated[dict[OutputName, AllocationTarget], of_output(4), freeze] = Field(min_length=1, max_length=100)
+    method: Method = "rss"
+    sigmas: float = Field(3.0, gt=0, le=100)
+    costs: Annotated[dict[str, AnyCost], Quantity(_of_contributor), freeze] = Field(min_length=1, max_length=1000)
+    grades: bool = False
 
 
 class Output(NamedTuple):

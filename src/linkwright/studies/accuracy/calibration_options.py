@@ -49,25 +49,16 @@ UNLIKELY = 0.01
 class Calibrate(Frozen):
     """Which measurements, which deviations to estimate from them, and how."""
 
-    file: FileBeside | None = Field(
-        None, description="a CSV file beside the model: columns t (or a drive's value) and outputs such as 'E.x [mm]'"
-    )
+    file: FileBeside | None = None
     points: tuple[Annotated[dict[OutputName, Expression], of_output(5), freeze], ...] | None = Field(
-        None, min_length=1, max_length=10_000, description="the measurements themselves: [{t: 0.1 s, E.x: 712.3}, ...]"
+        None, min_length=1, max_length=10_000
     )
-    at: Text | None = Field(None, description="the column that says where; by default t or a drive's value")
-    parameters: tuple[Text, ...] | None = Field(
-        None, min_length=1, max_length=1000, description="contributors to estimate; all by default"
-    )
-    sigma: Annotated[dict[OutputName, Expression], of_output(4), freeze] = Field(
-        default_factory=FrozenDict,
-        description="by output, the standard deviation of a measurement; else from the residuals",
-    )
-    prior: bool = Field(False, description="whether the stated tolerances count as knowledge besides the measurements")
-    confidence: float = Field(0.95, gt=0, lt=1, description="of the intervals")
-    threshold: float = Field(
-        1e-6, gt=0, lt=1, description="singular values below this share of the largest count as none"
-    )
+    at: Text | None = None
+    parameters: tuple[Text, ...] | None = Field(None, min_length=1, max_length=1000)
+    sigma: Annotated[dict[OutputName, Expression], of_output(4), freeze] = Field(default_factory=FrozenDict)
+    prior: bool = False
+    confidence: float = Field(0.95, gt=0, lt=1)
+    threshold: float = Field(1e-6, gt=0, lt=1)
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:

@@ -28,21 +28,11 @@ class Clearance(Shortened):
     """The clearance of a joint. Of a pin, or of one in a slot, mostly written as the clearance alone."""
 
     main = "clearance"
-    alone = "the clearance alone"
 
-    clearance: Annotated[Expression, Quantity(LENGTH)] = Field(
-        description="of a pin: radial, half the difference of the diameters; "
-        "of a guide or a slot: half the whole play across it"
-    )
-    length: Annotated[Expression | None, Quantity(LENGTH)] = Field(
-        None, description="of a guide: the distance of its two ends, where it bears"
-    )
-    centre: Name | None = Field(
-        None, description="of a guide: the point in the middle of its length; the second line's point by default"
-    )
-    in_: Name | None = Field(
-        None, alias="in", description="the link in which a pin of three links or more is fixed; else it floats"
-    )
+    clearance: Annotated[Expression, Quantity(LENGTH)]
+    length: Annotated[Expression | None, Quantity(LENGTH)] = None
+    centre: Name | None = None
+    in_: Name | None = Field(None, alias="in")
 
 
 def check_clearances(compiled: Compiled, clearances: Mapping[str, Clearance], at: Path) -> Iterator[Finding]:

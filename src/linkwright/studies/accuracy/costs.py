@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import BeforeValidator, Discriminator, Field, Tag, WithJsonSchema
+from pydantic import BeforeValidator, Discriminator, Tag, WithJsonSchema
 
 from linkwright.elements.fields import Interval
 from linkwright.expressions.fields import Frozen, fault
@@ -113,9 +113,7 @@ class Cost(Frozen):
     """Base of the laws as a file states them."""
 
     name: ClassVar[str]
-    between: Interval | None = Field(
-        None, description="[least, largest] half-width; IT5 to IT14 of a length by default, else a tenth to ten times"
-    )
+    between: Interval | None = None
 
     @abstractmethod
     def law(self, size: float, widths: Widths) -> CostLaw:
@@ -164,9 +162,7 @@ class Reciprocal(Cost):
     """a + b/d of a half-width d."""
 
     name = "reciprocal"
-    reciprocal: Annotated[tuple[float, ...], _numbers("reciprocal", 2), _listed(2)] = Field(
-        description="b, or [a, b], of a + b/d for d in the parameter's unit"
-    )
+    reciprocal: Annotated[tuple[float, ...], _numbers("reciprocal", 2), _listed(2)]
 
     def law(self, size: float, widths: Widths) -> CostLaw:
         a, b = self.reciprocal[0], self.reciprocal[1] * size
@@ -178,9 +174,7 @@ class ReciprocalSquared(Cost):
     """a + b/d^2 of a half-width d."""
 
     name = "reciprocal_squared"
-    reciprocal_squared: Annotated[tuple[float, ...], _numbers("reciprocal_squared", 2), _listed(2)] = Field(
-        description="b, or [a, b], of a + b/d^2 for d in the parameter's unit"
-    )
+    reciprocal_squared: Annotated[tuple[float, ...], _numbers("reciprocal_squared", 2), _listed(2)]
 
     def law(self, size: float, widths: Widths) -> CostLaw:
         a, b = self.reciprocal_squared[0], self.reciprocal_squared[1] * size**2
@@ -192,9 +186,7 @@ class Exponential(Cost):
     """a + b exp(-d/m) of a half-width d."""
 
     name = "exponential"
-    exponential: Annotated[tuple[float, ...], _numbers("exponential", 3), _listed(3)] = Field(
-        description="[b, m] or [a, b, m] of a + b*exp(-d/m), d and m in its unit"
-    )
+    exponential: Annotated[tuple[float, ...], _numbers("exponential", 3), _listed(3)]
 
     def law(self, size: float, widths: Widths) -> CostLaw:
         a, b, m = self.exponential[0], self.exponential[1], self.exponential[2] * size
@@ -236,7 +228,7 @@ class Processes(Cost):
                 ]
             }
         ),
-    ] = Field(description="{IT6: cost, IT7: cost}, or [[half-width, cost], ...] in the parameter's unit")
+    ]
 
     def law(self, size: float, widths: Widths) -> CostLaw:
         rows = []

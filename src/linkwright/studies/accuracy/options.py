@@ -28,30 +28,24 @@ class AccuracyOptions(DeviationOptions, Sampling):
 
     # Where it is looked.
     positions: Annotated[dict[NameField, Annotated[Text, Quantity(TIME)]], freeze] = Field(
-        default_factory=FrozenDict,
-        description="named positions at which signals are looked at: 'max E.x', 'end of WINDOW', a time",
-        examples=[{"far": "max E.x", "out": "end of feed", "grip": "0.2 s"}],
+        default_factory=FrozenDict, examples=[{"far": "max E.x", "out": "end of feed", "grip": "0.2 s"}]
     )
 
     # The way back: tolerances from what is wanted, dimensions from what is measured.
-    allocate: Allocate | None = Field(None, description="the cheapest tolerances for a wanted accuracy")
-    calibrate: Calibrate | None = Field(None, description="actual dimensions from measured outputs")
+    allocate: Allocate | None = None
+    calibrate: Calibrate | None = None
 
     # The random samples.
-    samples: int = Field(10_000, ge=0, le=10**9, description="random samples; 0 for none")
-    plan: PlanName = Field("random", description="how samples are chosen")  # type: ignore[valid-type]
-    seed: int = Field(0, ge=0, le=2**63, description="another seed gives other samples")
-    kernel: KernelName = Field("auto", description="what computes it: chosen by the size of the work, or one by name")  # type: ignore[valid-type]
+    samples: int = Field(10_000, ge=0, le=10**9)
+    plan: PlanName = "random"  # type: ignore[valid-type]
+    seed: int = Field(0, ge=0, le=2**63)
+    kernel: KernelName = "auto"  # type: ignore[valid-type]
 
     # Clearances in joints.
-    contact: float = Field(
-        0.05, gt=0, lt=1, description="the share of a joint's RMS reaction below which contact may be lost"
-    )
+    contact: float = Field(0.05, gt=0, lt=1)
 
     # The worst case by evaluating the mechanism.
-    nonlinear: float = Field(
-        0.05, ge=0, le=1, description="the worst case is searched where the linear one is off by more of its width"
-    )
+    nonlinear: float = Field(0.05, ge=0, le=1)
 
     @property
     def deviating(self) -> bool:

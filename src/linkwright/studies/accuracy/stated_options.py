@@ -33,25 +33,17 @@ _Is = Annotated[
 class Correlation(Frozen):
     """Deviations that go together: of parts that are made together, or of dimensions made in one setting."""
 
-    of: tuple[Text, ...] = Field(
-        min_length=2, max_length=1000, description="parameters or temperatures that are contributors"
-    )
-    is_: _Is = Field(alias="is", description="their correlation coefficient, or the matrix of them")
+    of: tuple[Text, ...] = Field(min_length=2, max_length=1000)
+    is_: _Is = Field(alias="is")
 
 
 class Thermal(Spread):
     """A change of temperature, by which lengths expand together."""
 
-    change: Annotated[Interval, Quantity(PURE)] = Field(
-        description="[least, largest] change from the temperature of the nominal lengths, in K"
-    )
-    material: Text | None = Field(None, description="the material by name, whose expansion is known")
-    expansion: Annotated[Expression | None, Quantity(PURE)] = Field(
-        None, description="coefficient of linear expansion in 1e-6/K, instead"
-    )
-    parameters: tuple[ParameterName, ...] | None = Field(
-        None, min_length=1, max_length=1000, description="the lengths that expand; all that aren't derived by default"
-    )
+    change: Annotated[Interval, Quantity(PURE)]
+    material: Text | None = None
+    expansion: Annotated[Expression | None, Quantity(PURE)] = None
+    parameters: tuple[ParameterName, ...] | None = Field(None, min_length=1, max_length=1000)
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
@@ -63,23 +55,13 @@ class Thermal(Spread):
 class DeviationOptions(Frozen):
     """What deviates and how: for the accuracy study, and for others that ask what deviations do."""
 
-    parameters: tuple[ParameterName, ...] | None = Field(
-        None, max_length=1000, description="parameters that deviate; by default all with a tolerance or the general one"
-    )
-    general: ClassName | None = Field(
-        None, description="class of the lengths that state no tolerance, and of such angles with a side"
-    )
-    distribution: DistributionName = Field("normal", description="of the deviations that state none")
-    cp: FiniteFloat = Field(1.0, description="capability: a standard deviation is the limits' width/(6 cp)")
-    correlations: tuple[Correlation, ...] = Field(
-        (), max_length=1000, description="deviations that go together, with their correlation coefficients"
-    )
-    thermal: Annotated[dict[Text, Thermal], Quantity(PURE), freeze] = Field(
-        default_factory=FrozenDict, max_length=100, description="changes of temperature by name"
-    )
-    clearances: Annotated[dict[Name, Clearance], freeze] = Field(
-        default_factory=FrozenDict, description="joints with clearance: pins and prismatic joints by name"
-    )
+    parameters: tuple[ParameterName, ...] | None = Field(None, max_length=1000)
+    general: ClassName | None = None
+    distribution: DistributionName = "normal"
+    cp: FiniteFloat = 1.0
+    correlations: tuple[Correlation, ...] = Field((), max_length=1000)
+    thermal: Annotated[dict[Text, Thermal], Quantity(PURE), freeze] = Field(default_factory=FrozenDict, max_length=100)
+    clearances: Annotated[dict[Name, Clearance], freeze] = Field(default_factory=FrozenDict)
 
     @property
     def deviating(self) -> bool:

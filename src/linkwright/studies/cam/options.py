@@ -45,27 +45,13 @@ POST = {"anyOf": [CONTROL, {"type": "array", "items": CONTROL}]}
 class CamLimits(Frozen):
     """What must hold; each that isn't kept makes the study fail, with the place."""
 
-    pressure_rise: Annotated[Expression | None, Quantity(u.ANGLE, Sign.POSITIVE)] = Field(
-        None, description="largest pressure angle while the follower rises"
-    )
-    pressure_return: Annotated[Expression | None, Quantity(u.ANGLE, Sign.POSITIVE)] = Field(
-        None, description="largest pressure angle while it returns"
-    )
-    pitch_over_roller: Annotated[Expression | None, Quantity(u.PURE, Sign.POSITIVE)] = Field(
-        None, description="least convex radius of the pitch curve over the roller's; 1 (no undercut) unless given"
-    )
-    profile_radius: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
-        None, description="least convex radius of the profile"
-    )
-    continuity: int | None = Field(
-        None, ge=2, le=3, description="of the law: 2 refuses jumps of the acceleration, 3 of the jerk too"
-    )
-    cutter: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
-        None, description="radius of the cutter, which the concave radii must exceed; that of nc unless given"
-    )
-    play: Annotated[Expression | None, Quantity(u.LENGTH, Sign.NOT_NEGATIVE)] = Field(
-        None, description="largest play of a yoke over the turn; with closed: yoke"
-    )
+    pressure_rise: Annotated[Expression | None, Quantity(u.ANGLE, Sign.POSITIVE)] = None
+    pressure_return: Annotated[Expression | None, Quantity(u.ANGLE, Sign.POSITIVE)] = None
+    pitch_over_roller: Annotated[Expression | None, Quantity(u.PURE, Sign.POSITIVE)] = None
+    profile_radius: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = None
+    continuity: int | None = Field(None, ge=2, le=3)
+    cutter: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = None
+    play: Annotated[Expression | None, Quantity(u.LENGTH, Sign.NOT_NEGATIVE)] = None
 
 
 def _sign_of_length(c: Context) -> Sign:
@@ -76,45 +62,25 @@ def _sign_of_length(c: Context) -> Sign:
 class CamSize(Frozen):
     """The smallest base circle that keeps the limits; with one further length of the follower a map of both."""
 
-    base: Annotated[Interval, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
-        description="[low, high] of the base circle's radius"
-    )
+    base: Annotated[Interval, Quantity(u.LENGTH, Sign.POSITIVE)]
     against: Annotated[dict[NameField, Interval], Quantity(u.LENGTH, _sign_of_length), freeze] = Field(
-        default_factory=FrozenDict,
-        max_length=1,
-        description="[low, high] of one other length of the follower: roller, distance, arm, offset or face",
+        default_factory=FrozenDict, max_length=1
     )
-    steps: int = Field(10, ge=2, le=60, description="steps of the map along each length")
+    steps: int = Field(10, ge=2, le=60)
 
 
 class CamBlank(Frozen):
     """The solid around the profile. All round parts by their radii."""
 
-    thickness: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(description="of the plate")
-    bore: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
-        None, description="radius of the bore"
-    )
-    hub: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
-        None, description="radius of the hub; with height"
-    )
-    height: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
-        None, description="of the hub above the plate"
-    )
-    key_width: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
-        None, description="width of the keyway; with key_depth and bore"
-    )
-    key_depth: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
-        None, description="how far the keyway reaches beyond the bore"
-    )
-    key_angle: Annotated[Expression, Quantity(u.ANGLE)] = Field(
-        Expression(0), description="direction of the keyway in the cam's own frame"
-    )
-    radius: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
-        None, description="of the plate that a groove is milled into; with groove"
-    )
-    groove: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
-        None, description="depth of the groove"
-    )
+    thickness: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE)]
+    bore: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = None
+    hub: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = None
+    height: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = None
+    key_width: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = None
+    key_depth: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = None
+    key_angle: Annotated[Expression, Quantity(u.ANGLE)] = Expression(0)
+    radius: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = None
+    groove: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = None
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
@@ -128,51 +94,27 @@ class CamBlank(Frozen):
 class CamNc(Frozen):
     """How the cam is milled, and for which controls."""
 
-    post: Annotated[tuple[str, ...], BeforeValidator(_posts), WithJsonSchema(POST)] = Field(
-        description=f"the control or a list of them: {', '.join(POSTS)}"
-    )
-    cutter: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
-        description="radius of the cutter; of a groove the roller's at the most"
-    )
-    depth: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
-        description="thickness of the cam, with what the cutter goes beyond it; depth of a groove"
-    )
-    tolerance: Annotated[Expression, along(lambda turns: u.ANGLE if turns else u.LENGTH, Sign.POSITIVE)] = Field(
-        description="how far the follower's lift may be off: an angle or a length"
-    )
-    feed: Annotated[Expression, Quantity(u.SPEED, Sign.POSITIVE)] = Field(description="at the contour, e.g. 400 mm/min")
-    speed: Annotated[Expression, Quantity(u.OMEGA, Sign.POSITIVE)] = Field(description="of the spindle, e.g. 6000 rpm")
-    plunge: Annotated[Expression | None, Quantity(u.SPEED, Sign.POSITIVE)] = Field(
-        None, description="feed while going down; a quarter of feed unless given"
-    )
-    step: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
-        None, description="the deepest pass; all in one unless given"
-    )
-    start: Annotated[Expression | None, Quantity(u.ANGLE)] = Field(
-        None, description="cam angle at which the path is entered; the middle of the longest dwell unless given"
-    )
-    allowance: Annotated[Expression, Quantity(u.LENGTH, Sign.NOT_NEGATIVE)] = Field(
-        Expression(0), description="left by the passes for a last one at full depth"
-    )
-    lead: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
-        Expression("5 mm"), description="radius of the quarter circles of entry and exit"
-    )
-    overlap: Annotated[Expression, Quantity(u.LENGTH, Sign.NOT_NEGATIVE)] = Field(
-        Expression("2 mm"), description="how far the path goes on beyond its start"
-    )
-    clear: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
-        Expression("5 mm"), description="height at which the cutter moves over the blank"
-    )
-    blend: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
-        Expression("1 um"), description="how far the control may round corners"
-    )
-    spring: bool = Field(True, description="whether the last pass is repeated")
-    climb: bool = Field(True, description="climb milling; else conventional")
-    compensation: bool = Field(False, description="program the profile, and let the control offset the cutter")
-    arcs: bool = Field(True, description="arcs; else chords alone")
-    decimals: int = Field(4, ge=2, le=6, description="digits after the point, in mm")
-    tool: int = Field(1, ge=1, le=9999, description="number of the tool")
-    number: int = Field(1000, ge=1, le=9999, description="number of the program, where a control wants one")
+    post: Annotated[tuple[str, ...], BeforeValidator(_posts), WithJsonSchema(POST)]
+    cutter: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE)]
+    depth: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE)]
+    tolerance: Annotated[Expression, along(lambda turns: u.ANGLE if turns else u.LENGTH, Sign.POSITIVE)]
+    feed: Annotated[Expression, Quantity(u.SPEED, Sign.POSITIVE)]
+    speed: Annotated[Expression, Quantity(u.OMEGA, Sign.POSITIVE)]
+    plunge: Annotated[Expression | None, Quantity(u.SPEED, Sign.POSITIVE)] = None
+    step: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = None
+    start: Annotated[Expression | None, Quantity(u.ANGLE)] = None
+    allowance: Annotated[Expression, Quantity(u.LENGTH, Sign.NOT_NEGATIVE)] = Expression(0)
+    lead: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE)] = Expression("5 mm")
+    overlap: Annotated[Expression, Quantity(u.LENGTH, Sign.NOT_NEGATIVE)] = Expression("2 mm")
+    clear: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE)] = Expression("5 mm")
+    blend: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE)] = Expression("1 um")
+    spring: bool = True
+    climb: bool = True
+    compensation: bool = False
+    arcs: bool = True
+    decimals: int = Field(4, ge=2, le=6)
+    tool: int = Field(1, ge=1, le=9999)
+    number: int = Field(1000, ge=1, le=9999)
 
 
 def _figure(c: Context) -> u.Dimension | None:
@@ -184,22 +126,14 @@ def _figure(c: Context) -> u.Dimension | None:
 class CamOptions(Frozen):
     """Which cam, what it is held against, and what is made of it."""
 
-    cam: Annotated[NameField | None, Ref("cam")] = Field(
-        None, description="the entry of cams; may be left out where there is one"
-    )
-    limits: CamLimits = Field(default_factory=CamLimits, description="limits of the checks")
-    require: Annotated[dict[str, Requirement], Quantity(_figure), freeze] = Field(
-        default_factory=FrozenDict, description="requirements on the study's figures by name, e.g. '>= 22 mm'"
-    )
-    size: CamSize | None = Field(None, description="look for the smallest base circle that keeps the limits")
-    forces: CamForces | None = Field(None, description="forces between cam and follower at a speed, and its spring")
-    tolerance: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
-        Expression("1e-4 mm"), description="how far drawing and solid may lie off the exact profile"
-    )
-    drawing: Drawing = Field("arcs", description="the profile in the drawing: arcs and lines, or splines")  # type: ignore[valid-type]
-    blank: CamBlank | None = Field(None, description="the solid: written as cam.step where build123d is installed")
-    nc: CamNc | None = Field(None, description="NC code, read back and proven before it is written")
-    period: Annotated[Expression, Quantity(u.TIME, Sign.POSITIVE)] = Field(
-        Expression("1 s"), description="of a turn of the cam, in cam_motion.txt, for a CAD simulator's motor"
-    )
-    steps: int = Field(720, ge=36, le=36_000, description="equal steps of the cam's turn in tables and the read-back")
+    cam: Annotated[NameField | None, Ref("cam")] = None
+    limits: CamLimits = Field(default_factory=CamLimits)
+    require: Annotated[dict[str, Requirement], Quantity(_figure), freeze] = Field(default_factory=FrozenDict)
+    size: CamSize | None = None
+    forces: CamForces | None = None
+    tolerance: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE)] = Expression("1e-4 mm")
+    drawing: Drawing = "arcs"  # type: ignore[valid-type]
+    blank: CamBlank | None = None
+    nc: CamNc | None = None
+    period: Annotated[Expression, Quantity(u.TIME, Sign.POSITIVE)] = Expression("1 s")
+    steps: int = Field(720, ge=36, le=36_000)

@@ -34,17 +34,11 @@ def _counted(raw: Any) -> Any:
 class CycleOptions(Frozen):
     """How long, and on how many steps. One of period, duration and turns says how long."""
 
-    period: Annotated[Expression | None, Quantity(u.TIME)] = Field(
-        None, description="the motion's period: it must close"
-    )
-    duration: Annotated[Expression | None, Quantity(u.TIME)] = Field(None, description="how long the run lasts")
-    turns: Annotated[str | None, BeforeValidator(_counted)] = Field(
-        None, description="'2 engine': so many turns of a drive of constant speed"
-    )
-    samples: int = Field(200, ge=2, le=100_000, description="number of equal steps; rows are samples + 1")
-    through: Literal["keep", "stop"] = Field(
-        "stop", description="at a change point: keep goes on smoothly through it, stop refuses the run"
-    )
+    period: Annotated[Expression | None, Quantity(u.TIME)] = None
+    duration: Annotated[Expression | None, Quantity(u.TIME)] = None
+    turns: Annotated[str | None, BeforeValidator(_counted)] = None
+    samples: int = Field(200, ge=2, le=100_000)
+    through: Literal["keep", "stop"] = "stop"
 
     @model_validator(mode="after")
     def _one_length(self) -> CycleOptions:

@@ -45,15 +45,10 @@ Motor = Annotated[NameField, Ref("motor")]
 class LimitsOptions(Frozen):
     """Which drives are moved alone, over which values, and which signals are looked at."""
 
-    drives: tuple[Motor, ...] | None = Field(None, description="the drives to look at; all of them by default")
-    ranges: Annotated[dict[Motor, Interval], of_drive(u.ANGLE, u.LENGTH), freeze] = Field(
-        default_factory=FrozenDict,
-        description="[low, high] of a drive's value; else one turn, a cylinder's stroke, or as far as a slide gets",
-    )
-    signals: tuple[Expression, ...] = Field(
-        (), max_length=200, description="expressions of positions and rates whose extremes are wanted as well"
-    )
-    samples: int = Field(360, ge=16, le=20_000, description="steps of the grid between which limits are bracketed")
+    drives: tuple[Motor, ...] | None = None
+    ranges: Annotated[dict[Motor, Interval], of_drive(u.ANGLE, u.LENGTH), freeze] = Field(default_factory=FrozenDict)
+    signals: tuple[Expression, ...] = Field((), max_length=200)
+    samples: int = Field(360, ge=16, le=20_000)
     _cycle: CycleOptions | None = PrivateAttr(None)
 
     @model_validator(mode="after")

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Annotated, Any
 
 import numpy as np
-from pydantic import Field
 
 from linkwright.compilation import Prepared
 from linkwright.elements.fields import DriveName
@@ -36,13 +35,8 @@ PATH = ("studies", "modes")
 class ModesOptions(Frozen):
     """At which pose, and over which drive circuits are followed."""
 
-    at: Annotated[Expression | None, Quantity(u.TIME)] = Field(
-        None, description="the time of the pose; the start of the motion by default"
-    )
-    drive: DriveName | None = Field(
-        None,
-        description="the drive over which circuits are followed, the others held; needn't be named if there is one",
-    )
+    at: Annotated[Expression | None, Quantity(u.TIME)] = None
+    drive: DriveName | None = None
 
 
 def find_modes(made: Prepared | Compiled, options: ModesOptions) -> ModesOutcome:

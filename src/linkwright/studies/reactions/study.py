@@ -11,7 +11,6 @@ from collections.abc import Iterator
 from typing import Annotated
 
 import numpy as np
-from pydantic import Field
 
 from linkwright.compilation import examine_still
 from linkwright.expressions import units as u
@@ -36,9 +35,7 @@ PROVEN = 1e-9
 class ReactionsOptions(Frozen):
     """When the loads are taken."""
 
-    at: Annotated[Expression | None, Quantity(u.TIME)] = Field(
-        None, description="the time at which loads that vary are taken; 0 by default"
-    )
+    at: Annotated[Expression | None, Quantity(u.TIME)] = None
 
 
 @register

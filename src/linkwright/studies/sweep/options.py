@@ -36,18 +36,12 @@ class SweepOptions(Sampling):
 
     study = "sweep"
 
-    vary: Annotated[dict[ParameterName, Vary], of_parameter(3), freeze] = Field(
-        min_length=1, max_length=1000, description="what each varied parameter takes: steps, a list, a distribution"
-    )
-    plan: PlanName | None = Field(  # type: ignore[valid-type]
-        None, description="how samples are chosen; grid, all combinations, where nothing is a distribution, else latin"
-    )
-    samples: int | None = Field(None, ge=1, description=f"how many samples, {SAMPLES} by default; a grid has its own")
-    seed: int = Field(0, ge=0, le=2**63, description="another seed gives other samples")
-    keep: Literal["reduced", "all"] = Field(
-        "reduced", description="of signals: mean, deviation and extremes at each pose, or every value of every sample"
-    )
-    kernel: KernelName = Field("auto", description="what computes it: chosen by the size of the work, or one by name")  # type: ignore[valid-type]
+    vary: Annotated[dict[ParameterName, Vary], of_parameter(3), freeze] = Field(min_length=1, max_length=1000)
+    plan: PlanName | None = None  # type: ignore[valid-type]
+    samples: int | None = Field(None, ge=1)
+    seed: int = Field(0, ge=0, le=2**63)
+    keep: Literal["reduced", "all"] = "reduced"
+    kernel: KernelName = "auto"  # type: ignore[valid-type]
 
     @property
     def keeps_signals(self) -> bool:

@@ -35,15 +35,8 @@ class ErrorsOptions(MapsAsked):
 
     section: ClassVar[str] = "errors"
 
-    limit: Annotated[Expression | None, Quantity(u.LENGTH)] = Field(
-        None, description="the error up to which a place counts as precise"
-    )
-    contributors: tuple[Text, ...] | None = Field(
-        None,
-        min_length=1,
-        max_length=1000,
-        description="what deviates; all with a tolerance, and all joints with a clearance, by default",
-    )
+    limit: Annotated[Expression | None, Quantity(u.LENGTH)] = None
+    contributors: tuple[Text, ...] | None = Field(None, min_length=1, max_length=1000)
     _stated: DeviationOptions | None = PrivateAttr(None)
 
     @model_validator(mode="after")

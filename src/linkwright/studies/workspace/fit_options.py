@@ -35,22 +35,12 @@ Largest = one_of("workspace", "largest", ["circle", "rectangle"])
 class RequiredFit(Frozen):
     """A circle or rectangle that has to fit into a region; or the largest one is looked for."""
 
-    circle: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
-        None, description="radius of a circle that has to fit"
-    )
-    rectangle: Annotated[Vector | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
-        None, description="[width, height] of a rectangle that has to fit"
-    )
-    largest: Largest | None = Field(None, description="look for the largest: circle or rectangle")  # type: ignore[valid-type]
-    centre: Annotated[Vector | None, Quantity(u.LENGTH)] = Field(
-        None, description="[x, y] of the figure; else the best place is found"
-    )
-    angle: Annotated[Expression | None, Quantity(u.ANGLE)] = Field(
-        None, description="of the rectangle's width to the x axis; 0 by default"
-    )
-    aspect: Annotated[Expression | None, Quantity(u.PURE, Sign.POSITIVE)] = Field(
-        None, description="width over height of the largest rectangle; 1 by default"
-    )
+    circle: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = None
+    rectangle: Annotated[Vector | None, Quantity(u.LENGTH, Sign.POSITIVE)] = None
+    largest: Largest | None = None  # type: ignore[valid-type]
+    centre: Annotated[Vector | None, Quantity(u.LENGTH)] = None
+    angle: Annotated[Expression | None, Quantity(u.ANGLE)] = None
+    aspect: Annotated[Expression | None, Quantity(u.PURE, Sign.POSITIVE)] = None
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:

@@ -30,15 +30,11 @@ class MapsAsked(Frozen):
 
     section: ClassVar[str]
 
-    steps: int = Field(200, ge=10, le=2000, description="equal steps of each drive's range")
-    show: tuple[Text, ...] | None = Field(None, max_length=20, description="the maps of which there are pictures")
+    steps: int = Field(200, ge=10, le=2000)
+    show: tuple[Text, ...] | None = Field(None, max_length=20)
     levels: Annotated[
         dict[Text, Annotated[tuple[Expression, ...], Field(min_length=1, max_length=20)]], Quantity(_of_map), freeze
-    ] = Field(
-        default_factory=FrozenDict,
-        description="values of a map at which its picture has lines; else round ones",
-        examples=[{"condition": [2, 5, 10]}],
-    )
+    ] = Field(default_factory=FrozenDict, examples=[{"condition": [2, 5, 10]}])
 
     def kinds_in(self, mechanism: Mechanism) -> Mapping[str, Dimension]:
         """The maps that there may be, with their dimensions."""

@@ -45,30 +45,18 @@ Which = one_of("workspace", "modes", ["all", "own"])
 class WorkspaceOptions(Frozen):
     """Which point, in which assembly modes, for which values of parameters, over which ranges of the drives."""
 
-    point: PointName = Field(description="the working point: any point of a moving link")
-    modes: Which = Field("all", description="all assembly modes, or the file's own")  # type: ignore[valid-type]
+    point: PointName
+    modes: Which = "all"  # type: ignore[valid-type]
     for_: Annotated[dict[ParameterName, tuple[Expression, ...]], of_parameter(3), freeze] = Field(
-        default_factory=FrozenDict,
-        alias="for",
-        description="values of parameters; each combination has a workspace of its own",
-        examples=[{"alpha": [0, 60, 90]}],
+        default_factory=FrozenDict, alias="for", examples=[{"alpha": [0, 60, 90]}]
     )
-    drives: Annotated[dict[DriveName, Interval], of_drive(ANGLE, LENGTH), freeze] = Field(
-        default_factory=FrozenDict,
-        description="[low, high] of a drive's value; else a whole turn, or a cylinder's stroke",
-    )
-    chord: float = Field(
-        1e-6, ge=1e-9, le=1e-2, description="how far the boundary may lie off, over the largest link length"
-    )
-    quality: QualityOptions | None = Field(None, description="how well it works there: maps, singular positions")
-    errors: ErrorsOptions | None = Field(
-        None, description="what tolerances and clearances do to the point, and leave of each region"
-    )
-    trajectories: TrajectoriesAsked | None = Field(
-        None, description="the point's trajectories at constant values of one drive while the other one moves"
-    )
-    paths: WantedPaths | None = Field(None, description="paths that the point is wanted to follow, by name")
-    fits: RequiredFits | None = Field(None, description="circles and rectangles that have to fit in, by name")
+    drives: Annotated[dict[DriveName, Interval], of_drive(ANGLE, LENGTH), freeze] = Field(default_factory=FrozenDict)
+    chord: float = Field(1e-6, ge=1e-9, le=1e-2)
+    quality: QualityOptions | None = None
+    errors: ErrorsOptions | None = None
+    trajectories: TrajectoriesAsked | None = None
+    paths: WantedPaths | None = None
+    fits: RequiredFits | None = None
 
     def values(self, compiled: Compiled) -> list[dict[str, float]]:
         """Each combination of the parameters' values, in SI."""

@@ -50,29 +50,20 @@ Pace = one_of("workspace", "timing", ["even", "rest"])
 class WantedPath(Frozen):
     """A path that the working point is wanted to follow, and how the drives shall move along it."""
 
-    points: Annotated[tuple[Vector, ...] | None, Quantity(u.LENGTH)] = Field(
-        None, max_length=10_000, description="[x, y] of points that it passes"
-    )
-    file: FileBeside | None = Field(None, description="a CSV file beside the model with the columns 'x [mm]', 'y [mm]'")
-    drawing: FileBeside | None = Field(None, description="a DXF drawing beside the model, in the file's length unit")
-    layer: Text | None = Field(None, description="the drawing's layer that holds the path alone")
-    x: Expression | None = Field(None, description="with y: a formula in u, which runs from 0 to 1, and parameters")
-    y: Expression | None = Field(None, description="with x: a formula in u")
-    between: Between = Field("cubic", description="the curve between points: linear, cubic, quintic")  # type: ignore[valid-type]
-    motor: DriveName = Field(description="the drive that has constant speed; the other one is the servo")
-    speed: Annotated[Expression | None, of_drive(u.OMEGA, u.SPEED, lambda c: c.entry.motor)] = Field(
-        None, description="the motor's constant speed, e.g. 30 rpm; negative: backwards"
-    )
-    duration: Annotated[Expression | None, Quantity(u.TIME)] = Field(
-        None, description="instead of speed: both drives follow the path in this time"
-    )
-    timing: Pace = Field("even", description="with duration: even, or from rest to rest")  # type: ignore[valid-type]
-    never_reverse: bool = Field(False, description="whether the servo must never turn back")
-    tolerance: Annotated[Expression | None, Quantity(u.LENGTH)] = Field(
-        None,
-        description="how far the point may be off in dead positions; 1e-6 of the largest link by default",
-    )
-    samples: int = Field(361, ge=2, le=100_000, description="times at which the laws of the drives are given")
+    points: Annotated[tuple[Vector, ...] | None, Quantity(u.LENGTH)] = Field(None, max_length=10_000)
+    file: FileBeside | None = None
+    drawing: FileBeside | None = None
+    layer: Text | None = None
+    x: Expression | None = None
+    y: Expression | None = None
+    between: Between = "cubic"  # type: ignore[valid-type]
+    motor: DriveName
+    speed: Annotated[Expression | None, of_drive(u.OMEGA, u.SPEED, lambda c: c.entry.motor)] = None
+    duration: Annotated[Expression | None, Quantity(u.TIME)] = None
+    timing: Pace = "even"  # type: ignore[valid-type]
+    never_reverse: bool = False
+    tolerance: Annotated[Expression | None, Quantity(u.LENGTH)] = None
+    samples: int = Field(361, ge=2, le=100_000)
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:

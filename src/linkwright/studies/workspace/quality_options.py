@@ -36,16 +36,12 @@ class QualityOptions(MapsAsked):
     section: ClassVar[str] = "quality"
 
     speeds: Annotated[Limits, of_drive(u.OMEGA, u.SPEED)] = Field(
-        default_factory=FrozenDict, description="speed limits of both drives", examples=[{"motor": "30 rpm"}]
+        default_factory=FrozenDict, examples=[{"motor": "30 rpm"}]
     )
     efforts: Annotated[Limits, of_drive(u.TORQUE, u.FORCE)] = Field(
-        default_factory=FrozenDict,
-        description="limits of both drives' torques or forces",
-        examples=[{"motor": "2 N*m"}],
+        default_factory=FrozenDict, examples=[{"motor": "2 N*m"}]
     )
-    force: Annotated[Force | None, Quantity(u.FORCE)] = Field(
-        None, description="[x, y] of the point's force on the work, or its size in whatever direction"
-    )
+    force: Annotated[Force | None, Quantity(u.FORCE)] = None
 
     def kinds_in(self, mechanism: Mechanism) -> Mapping[str, Dimension]:
         return possible(mechanism)

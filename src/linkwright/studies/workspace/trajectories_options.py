@@ -34,22 +34,10 @@ def _held_drive_name(c: Context) -> str:
 class TrajectoriesAsked(Frozen):
     """Trajectories of the working point at constant values of one of two drives."""
 
-    hold: DriveName | None = Field(
-        None,
-        description="the drive that is held; by default the other one than that of constant speed, else the second",
-    )
-    steps: int | None = Field(None, ge=1, le=MOST, description="equal steps of the held drive's range; 36 by default")
-    every: Annotated[Expression | None, of_drive(ANGLE, LENGTH, _held_drive_name)] = Field(
-        None,
-        description="instead of steps: the held drive's step, from the lower end of its range",
-        examples=["10 deg"],
-    )
-    chord: float = Field(
-        2e-4,
-        ge=1e-6,
-        le=1e-2,
-        description="how far the lines may lie off the trajectories, over the largest link length",
-    )
+    hold: DriveName | None = None
+    steps: int | None = Field(None, ge=1, le=MOST)
+    every: Annotated[Expression | None, of_drive(ANGLE, LENGTH, _held_drive_name)] = Field(None, examples=["10 deg"])
+    chord: float = Field(2e-4, ge=1e-6, le=1e-2)
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:

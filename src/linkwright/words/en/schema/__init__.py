@@ -1,0 +1,1 @@
+"""Descriptions in the JSON Schema of model files, by class and key."""
