@@ -69,9 +69,9 @@ class Examined:
         return Origin(line(self.file.name) if self.file is not None else None, hashed(content), tables)
 
     def read_from(self, read: Examined) -> Examined:
-        """The same, with the file that it was read from and the lines of its findings."""
+        """The same, with the file that it was read from, what is remarked on that and the lines of its findings."""
         self.source, self.file, self.content = read.source, read.file, read.content
-        self.findings = self.located(self.findings)
+        self.findings = self.located([*read.findings, *self.findings])
         return self
 
     def located(self, findings: Iterable[Finding]) -> list[Finding]:

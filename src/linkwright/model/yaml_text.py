@@ -11,7 +11,7 @@ from typing import Any
 
 from linkwright.expressions.written import MAX_TEXT, NO_TEXT
 from linkwright.findings import Finding, Term
-from linkwright.model.encodings import likely_encoding
+from linkwright.model.encodings import decoded, likely_encoding
 
 MAX_BYTES = 1_000_000
 MAX_DEPTH = 24
@@ -49,13 +49,14 @@ class Source:
     """What a file holds: its data, the line of each entry, and what is wrong with its text.
 
     ``spoilt`` are the places of which a finding tells already; ``data`` is ``None`` where nothing could be read,
-    ``text`` where it is no text.
+    ``text`` where it is no text. ``remarks`` are warnings and notes, on a text that is read all the same.
     """
 
     data: Any = None
     text: str | None = None
     lines: dict[Path, int] = field(default_factory=dict)
     findings: list[Finding] = field(default_factory=list)
+    remarks: list[Finding] = field(default_factory=list)
     spoilt: set[Path] = field(default_factory=set)
 
     def line(self, path: Path) -> int | None:
@@ -71,13 +72,20 @@ def read_text(raw: bytes) -> Source:
     if len(raw) > MAX_BYTES:
         source.findings.append(Finding("file.too-large", data={"limit": f"{MAX_BYTES:,}"}))
         return source
+    text, bad = "", None
     try:
         text = raw.decode("utf-8-sig")
-        bad = match.start() if (match := NO_TEXT.search(text)) else None
-        line = text.count("\n", 0, bad) + 1 if bad is not None else 0
     except UnicodeDecodeError as error:
-        bad, line = error.start, raw.count(b"\n", 0, error.start) + 1
+        if other := decoded(raw):
+            text = other.text
+            severity = "note" if other.marked else "warning"
+            source.remarks.append(Finding("file.read-as", (), {"encoding": other.encoding}, 1, severity))
+        else:
+            bad, line = error.start, raw.count(b"\n", 0, error.start) + 1
+    if match := NO_TEXT.search(text):
+        bad, line = match.start(), text.count("\n", 0, match.start()) + 1
     if bad is not None:
+        source.remarks.clear()
         encoding = likely_encoding(raw)
         code = "file.binary" if encoding is None else "file.encoding"
         source.findings.append(Finding(code, data={"at": bad, "encoding": encoding}, line=line))

@@ -43,6 +43,11 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "The file isn't valid UTF-8 (byte {at}); it looks like {encoding}.",
         "Save it as UTF-8: in Notepad and most editors under 'Save as', 'Encoding'.",
     ),
+    "file.read-as": (
+        "The file isn't UTF-8; it is read as {encoding}.",
+        "Save it as UTF-8: in Notepad and most editors under 'Save as', 'Encoding'. If names look wrong in the results, "
+        "the file has another encoding.",
+    ),
     "file.wide": (
         "The file has full-width characters where half-width ones are needed: {given}",
         "{hint}",
