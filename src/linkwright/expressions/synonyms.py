@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import unicodedata
 
+from linkwright.expressions.chinese_units import chinese_unit
+
 _WORDS = {
     "frame": "ground base fixed fix chassis world bed housing 机架 机座 基座 固定件 地面 地",
     # Sections.
@@ -127,27 +129,27 @@ def meant(name: str) -> list[str]:
 
 
 _UNITS = {
-    "mm": "millimeter millimeters millimetre millimetres 毫米",
-    "cm": "centimeter centimeters centimetre centimetres 厘米",
-    "m": "meter meters metre metres 米",
-    "um": "micron microns micrometer micrometre 微米",
-    "in": "inches zoll 英寸",
-    "ft": "foot feet 英尺",
-    "kg": "kilogram kilograms kilo 千克 公斤",
-    "g": "gram grams gramm 克",
-    "s": "sec secs second seconds sek 秒",
-    "ms": "msec millisecond milliseconds 毫秒",
-    "min": "minute minutes 分 分钟",
-    "h": "hour hours hr 小时",
-    "deg": "degree degrees grad 度",
-    "rad": "radian radians 弧度",
-    "r": "revs revolution revolutions turns rotation rotations U 转",
-    "N": "newton newtons 牛 牛顿",
-    "kN": "kilonewton 千牛",
-    "Nm": "newtonmeter 牛米",
-    "Pa": "pascal 帕",
-    "J": "joule joules 焦耳",
-    "W": "watt watts 瓦",
+    "mm": "millimeter millimeters millimetre millimetres",
+    "cm": "centimeter centimeters centimetre centimetres",
+    "m": "meter meters metre metres",
+    "um": "micron microns micrometer micrometre",
+    "in": "inches zoll",
+    "ft": "foot feet",
+    "kg": "kilogram kilograms kilo",
+    "g": "gram grams gramm",
+    "s": "sec secs second seconds sek",
+    "ms": "msec millisecond milliseconds",
+    "min": "minute minutes",
+    "h": "hour hours hr",
+    "deg": "degree degrees grad",
+    "rad": "radian radians",
+    "r": "revs revolution revolutions turns rotation rotations U",
+    "N": "newton newtons",
+    "kN": "kilonewton",
+    "Nm": "newtonmeter",
+    "Pa": "pascal",
+    "J": "joule joules",
+    "W": "watt watts",
     "rpm": "Upm",
 }
 _UNIT_MEANT = {plain(other): unit for unit, others in _UNITS.items() for other in others.split()}
@@ -156,7 +158,8 @@ _UNIT_MEANT = {plain(other): unit for unit, others in _UNITS.items() for other i
 def unit_meant(word: str) -> str | None:
     """The unit that a word stands for elsewhere, if any: its name written out, in another language, or in capitals."""
     own = plain(word)
-    return _UNIT_MEANT.get(own) or next((unit for unit in _CAPITALS if own in (plain(unit), f"{plain(unit)}s")), None)
+    capitals = next((unit for unit in _CAPITALS if own in (plain(unit), f"{plain(unit)}s")), None)
+    return _UNIT_MEANT.get(own) or capitals or chinese_unit(own)
 
 
 _CAPITALS = ("mm", "cm", "kg", "deg", "rad", "rpm", "Hz", "kHz", "kN", "Nm", "MPa", "kPa", "bar", "min", "N", "s")
