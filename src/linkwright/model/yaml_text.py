@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any
 
+from linkwright.expressions.wide import WIDE
 from linkwright.expressions.written import MAX_TEXT, NO_TEXT
 from linkwright.findings import Finding, Term
 from linkwright.model.encodings import decoded, likely_encoding
@@ -23,6 +24,9 @@ Path = tuple[str | int, ...]
 _INT = re.compile(r"[-+]?[0-9]{1,15}")
 _DECIMALS = re.compile(r"[0-9]{1,9}(\s*[^\W\d]\S{0,20})?")
 _FLOAT = re.compile(r"[-+]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]+)?")
+_ROUND = re.compile(r"\([^()]*\)")
+_FREE = (("name",), ("note",), ("source",))
+"""The keys of free texts."""
 _CONSTANTS = {"": None, "~": None, "null": None, "true": True, "false": False}
 _NOT_NUMBERS = {".nan": math.nan, ".inf": math.inf, "+.inf": math.inf, "-.inf": -math.inf}
 
@@ -196,10 +200,18 @@ class _Builder:
             if NO_TEXT.search(event.value):
                 self.note("file.character", line, path)
                 return None
-            return scalar(event.value) if _is_plain(event) else event.value
+            return self.plain(event.value, line, path) if _is_plain(event) else event.value
         if kind == "MappingStartEvent":
             return self.mapping(path, flow=bool(event.flow_style))
         return self.sequence(path, flow=bool(event.flow_style))
+
+    def plain(self, text: str, line: int, path: Path) -> Any:
+        """What a text without quotes stands for; a number in full-width digits is meant in half-width ones."""
+        value = scalar(meant := text.translate(WIDE))
+        if meant == text.replace("−", "-") or not isinstance(value, int | float) or path[-1:] in _FREE:
+            return scalar(text)
+        self.note("file.wide", line, path, given=text[:40], hint=Term("write", text=meant[:40]))
+        return value
 
     def mapping(self, path: Path, flow: bool) -> dict[str, Any]:
         entries: list[_Entry] = []
@@ -253,6 +265,10 @@ class _Builder:
                 self.note("file.decimal-comma", entry.line, (*path, entry.key or len(found)), text=text, meant=given)
                 entry.value, at = scalar(given), at + 2
                 entry.end = after.end
+            elif end > at + 1 and opened <= 0 and _ROUND.fullmatch(parts[0] + parts[-1]):
+                text, place = ", ".join(parts), (*path, entry.key or len(found))
+                self.note("file.brackets", entry.line, place, given=text[:80], meant=f"[{text[1:-1]}]"[:80])
+                entry.value, at = text, end
             elif end > at + 1 and opened <= 0:
                 text = ", ".join(parts)
                 entry.value, at = text, end

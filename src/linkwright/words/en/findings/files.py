@@ -52,6 +52,14 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "The file has full-width characters where half-width ones are needed: {given}",
         "{hint}",
     ),
+    "file.blank": (
+        "The line has full-width or non-breaking spaces, shown as ␣: {given}",
+        "{hint}",
+    ),
+    "file.brackets": (
+        "A list is written in square brackets: {given}",
+        "Write {meant}.",
+    ),
     "file.colon": (
         "A space is missing after the colon: {given}",
         "{hint}",

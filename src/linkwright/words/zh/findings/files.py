@@ -49,6 +49,14 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "文件中应为半角字符之处使用了全角字符：{given}",
         "{hint}",
     ),
+    "file.blank": (
+        "该行含有全角空格或不间断空格（显示为 ␣）：{given}",
+        "{hint}",
+    ),
+    "file.brackets": (
+        "列表应使用方括号：{given}",
+        "改写为 {meant}。",
+    ),
     "file.colon": (
         "冒号之后缺少空格：{given}",
         "{hint}",
