@@ -233,11 +233,13 @@ def perform(examined: Examined, site: RunContext = NOWHERE) -> Job:
 @dataclass(frozen=True)
 class Writing:
     """How results are written: which kinds of files are asked for besides the usual ones (``netcdf``, ``png``), whether
-    foreign files may be overwritten, whether CSV files begin with comments that name their origin."""
+    foreign files may be overwritten, whether CSV files begin with comments that name their origin (``comments``) and
+    with a mark by which Excel reads them as UTF-8 (``excel``)."""
 
     asked: Collection[str] = ()
     force: bool = False
     comments: bool = False
+    excel: bool = False
 
     def files(self, study: Study) -> dict[str, FileOf]:
         """What a study writes, by name."""
@@ -292,7 +294,7 @@ REPORT, SUMMARY = "report.html", "summary.json"
 
 
 def _folder(examined: Examined, path: Path, how: Writing) -> ResultsFolder:
-    return ResultsFolder(path, examined.origin, force=how.force, comments=how.comments)
+    return ResultsFolder(path, examined.origin, force=how.force, comments=how.comments, excel=how.excel)
 
 
 def _write(job: Job, folder: ResultsFolder, how: Writing) -> None:

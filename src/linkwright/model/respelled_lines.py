@@ -36,16 +36,16 @@ def _wide(text: str) -> str:
     before a comment, quotes around a limit, square brackets around a list."""
     text = re.sub("： *", ": ", re.sub(r"\s*＃\s*", "  # ", text))
     text = _LIST.sub(r"\1[\2]", _LIMIT.sub(r'"\1\2"', text))
-    return re.sub("[，；] *", _separator, text).translate(_SIGNS)
+    return re.sub("[，；、] *", _separator, text).translate(_SIGNS)
 
 
 def _separator(match: re.Match[str]) -> str:
-    """A comma; a decimal point between digits that stand in no list."""
-    before, after = match.string[: match.start()], match.string[match.end() :]
+    """A comma with a space; a decimal point between digits that stand in no list."""
+    sign, before, after = match.group()[0], match.string[: match.start()], match.string[match.end() :]
     opened = _opened(before)
-    if match.group() == "，" and opened != "[" and before[-1:].isdigit() and after[:1].isdigit():
-        return "."
-    return ", " if opened or match.group()[0] == "，" else match.group()
+    if opened != "[" and before[-1:].isdigit() and after[:1].isdigit():
+        return "." if match.group() == "，" else match.group()
+    return ", " if opened or sign == "，" else match.group()
 
 
 def _opened(text: str) -> str:
