@@ -14,7 +14,9 @@ from linkwright.expressions.parser import reads
 from linkwright.expressions.respelled import syntax_fault
 from linkwright.expressions.typed_fields import Quantity, Ref, Sign
 from linkwright.expressions.units import ANGLE, LENGTH
+from linkwright.expressions.wide import WIDE
 from linkwright.expressions.written import (
+    MAX_NAME,
     Frozen,
     FrozenDict,
     Written,
@@ -110,10 +112,16 @@ def parse_text(text: str) -> Node:
         raise fault(code, **data) from None
 
 
+_BOTH = re.compile(r"\s*[\[(]?\s*([^,~…()\[\]]+?)\s*(?:,|~|…|\.\.|\bto\b|至|到)\s*([^,~…()\[\]]+?)\s*[\])]?\s*")
+"""Two values that aren't written as a list."""
+
+
 def pair(wanted: str) -> Callable[[Any], Any]:
     """A validator of lists of two; ``wanted`` is the phrase that says what they hold."""
 
     def check(raw: Any) -> Any:
+        if isinstance(raw, str) and len(raw) <= MAX_NAME and (both := _BOTH.fullmatch(raw.translate(WIDE))):
+            raise unexpected(wanted, raw, Term("write-bare", text=f"[{both[1]}, {both[2]}]"))
         if not isinstance(raw, list | tuple) or len(raw) != 2:
             raise unexpected(wanted, raw)
         return tuple(raw)

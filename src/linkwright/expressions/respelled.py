@@ -47,11 +47,14 @@ def respelled(text: str, known: Collection[str] = ()) -> tuple[Term, Term] | Non
 
 
 def _as_drawn(text: str) -> tuple[Term, Term] | None:
-    """A dimension as drawings have it: with the sign for a diameter, a tolerance, a range, a mark as its unit."""
+    """A dimension as drawings have it: with the sign for a diameter, a tolerance, a range, a remark, a mark as its
+    unit."""
     if drawn := _DIAMETER.fullmatch(text):
         value, tolerance = drawn.groups()
         hint = Term("write-tolerance", value=value, text=tolerance) if tolerance else Term("write", text=value)
         return Term("respelled-diameter"), hint
+    if (remark := _REMARK.fullmatch(text)) and _sense(text, ()) == text:
+        return _with_remark(*remark.groups())
     if (limits := _LIMITS.fullmatch(text)) and reads(limits[1] or "0") and reads(limits[2]):
         value, tolerance = limits.groups()
         hint = Term("write-tolerance", value=value, text=tolerance) if value else Term("write", text=tolerance)
@@ -65,6 +68,19 @@ def _as_drawn(text: str) -> tuple[Term, Term] | None:
     return None
 
 
+def _with_remark(value: str, remark: str) -> tuple[Term, Term] | None:
+    """A value and a remark in brackets, which may be a factor where there is no unit between them."""
+    if not reads(value):
+        found = respelled(value)
+        value = str(found[1].data.get("text", "")) if found else ""
+    if not value:
+        return None
+    commented = f"{value}  # {remark}"
+    if [*tokens(value)][-1][0] != "number":
+        return Term("respelled-stray"), Term("write", text=commented)
+    return Term("respelled-factor"), Term("write-choice", text=f"{value}*({remark})", other=commented)
+
+
 _LIMITS = re.compile(r"(.*?)\s*(?:±|\+/-|\+-)\s*(.+)")
 _THOUSANDS = re.compile(r"(-?\d{1,3}),(\d{3})((?:\s*\w+)?)")
 _DIAMETER = re.compile(r"[φΦøØ⌀∅]\s*(\d+(?:\.\d+)?(?:\s*mm)?)\s*(?:±\s*)?([a-zA-Z]{1,2}\d{1,2}|(?<=±)\d+(?:\.\d+)?)?")
@@ -72,6 +88,8 @@ _DIAMETER = re.compile(r"[φΦøØ⌀∅]\s*(\d+(?:\.\d+)?(?:\s*mm)?)\s*(?:±\s*
 _RANGE = re.compile(r"(-?[\d.]+(?:\s*\w+?)?)\s*(?:~|…|至|到)\s*(-?[\d.]+(?:\s*\w+)?)")
 _MARK = re.compile(r"(\d+(?:\.\d+)?)\s*(′|″|''|\"|')")
 _PART = r"(\d+(?:\.\d+)?)\s*"
+_REMARK = re.compile(r"(-?\d.*?\S)\s*\(\s*([\u4e00-\u9fff][^-+*/^().]*?)\s*\)")
+"""A remark in brackets behind a value, in Chinese."""
 _DEGREES = re.compile(rf"(-?){_PART}(?:°|度|deg)\s*{_PART}(?:′|'|分)(?:\s*{_PART}(?:″|''|\"|秒))?")
 _NUMBER = r"(?<![\w.])(\d+(?:\.\d*)?)"
 _ROUND = r"(?:rounds?|rev(?:olution)?s?|turns?|rotations?|r|U|转|圈)"
@@ -114,7 +132,7 @@ def _signs(text: str, known: Collection[str]) -> str:
 def _stray(text: str, known: Collection[str]) -> str:
     """Without what programs and sentences put around an expression: = before it, a comment, a mark behind it."""
     plain = re.sub(r"\$|\{(?=\w+\})|(?<=\w)\}", "", text)
-    return re.sub(r"\s*(?://.*|#.*|[;,.])\s*$", "", re.sub(r"^\s*(?:[^\W\d]\w*\s*)?=+\s*", "", plain))
+    return re.sub(r"\s*(?://.*|#.*|;.*|[,.])\s*$", "", re.sub(r"^\s*(?:[^\W\d]\w*\s*)?=+\s*", "", plain))
 
 
 def _comma(text: str, known: Collection[str]) -> str:
@@ -236,7 +254,7 @@ def _sense(text: str, known: Collection[str]) -> str:
 
 
 _RULES: dict[str, Callable[[str, Collection[str]], str]] = {
-    "wide": _wide, "degrees": _degrees, "signs": _signs, "stray": _stray, "comma": _comma, "sense": _sense,
+    "wide": _wide, "degrees": _degrees, "signs": _signs, "sense": _sense, "stray": _stray, "comma": _comma,
     "speed": _speed, "multiple": _multiple, "inverse": _inverse, "unit": _units, "pi": _pi, "factor": _factor,
     "dot": _dot,
 }  # fmt: skip

@@ -33,8 +33,8 @@ _SIGNS = {code: meant for code, meant in WIDE.items() if meant.strip()}
 
 def _wide(text: str) -> str:
     """Half-width characters in place of full-width ones, and what else YAML needs with them: a space behind a colon and
-    before a comment, quotes around a limit, square brackets around a list."""
-    text = re.sub("： *", ": ", re.sub(r"\s*＃\s*", "  # ", text))
+    before a comment, quotes around a limit, square brackets around a list, nothing behind a value."""
+    text = re.sub("： *", ": ", re.sub(r"\s*＃\s*", "  # ", re.sub(r"\s*[；。]\s*$", "", text)))
     text = _LIST.sub(r"\1[\2]", _LIMIT.sub(r'"\1\2"', text))
     return re.sub("[，；、] *", _separator, text).translate(_SIGNS)
 
