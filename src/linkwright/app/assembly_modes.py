@@ -44,7 +44,7 @@ def modes_of_file(path: Path, options: ModesOptions | None = None) -> ModesJob:
         return ModesJob(examined)
     job = modes_of_document(examined.document, path.parent, options)
     job.examined.source = examined.source
-    job.examined.findings = job.examined.located(job.examined.findings)
+    job.examined.findings = job.examined.located([*examined.findings, *job.examined.findings])
     return job
 
 

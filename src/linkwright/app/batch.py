@@ -217,6 +217,8 @@ def export_batch(
         if to not in TARGETS:
             raise ModelError([unknown_target(to)])
         batch = Batch(_table(path), path.parent)
+        if batch.table.encoding is not None:  # its texts become names of files
+            batch.findings.append(Finding("file.read-as", (), {"encoding": batch.table.encoding}, 1, "warning"))
         done = list(_performed(batch, to, options))
     except ModelError as error:
         return ExportJob(Examined(findings=[*error.findings], file=path), to)

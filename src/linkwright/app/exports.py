@@ -127,7 +127,9 @@ def write_export(
     """Write the files of an export, which is made once the folder is taken, as :func:`export_into` does."""
     job = ExportJob(examined, to)
     try:
-        with ResultsFolder(folder, origin, f"export {to}", force=how.force, comments=how.comments) as place:
+        with ResultsFolder(
+            folder, origin, f"export {to}", force=how.force, comments=how.comments, excel=how.excel
+        ) as place:
             job = make()
             if job.exported is not None and job.exported.files:
                 place.begin(job.exported.files)

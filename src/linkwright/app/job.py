@@ -61,9 +61,9 @@ class Examined:
         return Origin(line(self.file.name) if self.file is not None else None, hashed(content), tables)
 
     def read_from(self, read: Examined) -> Examined:
-        """The same, with the file that it was read from and the lines of its findings."""
+        """The same, with the file that it was read from, what is remarked on that and the lines of its findings."""
         self.source, self.file, self.content = read.source, read.file, read.content
-        self.findings = self.located(self.findings)
+        self.findings = self.located([*read.findings, *self.findings])
         return self
 
     def located(self, findings: Iterable[Finding]) -> list[Finding]:
@@ -226,11 +226,13 @@ def perform(examined: Examined, site: RunContext = NOWHERE) -> Job:
 @dataclass(frozen=True)
 class Writing:
     """How results are written: which kinds of files are asked for besides the usual ones (``netcdf``, ``png``), whether
-    foreign files may be overwritten, whether CSV files begin with comments that name their origin."""
+    foreign files may be overwritten, whether CSV files begin with comments that name their origin (``comments``) and
+    with a mark by which Excel reads them as UTF-8 (``excel``)."""
 
     asked: Collection[str] = ()
     force: bool = False
     comments: bool = False
+    excel: bool = False
 
     def files(self, study: Study) -> dict[str, FileOf]:
         """What a study writes, by name."""
@@ -285,7 +287,7 @@ REPORT, SUMMARY = "report.html", "summary.json"
 
 
 def _folder(examined: Examined, path: Path, how: Writing) -> ResultsFolder:
-    return ResultsFolder(path, examined.origin, force=how.force, comments=how.comments)
+    return ResultsFolder(path, examined.origin, force=how.force, comments=how.comments, excel=how.excel)
 
 
 def _write(job: Job, folder: ResultsFolder, how: Writing) -> None:

@@ -12,16 +12,19 @@ from linkwright.model.input_files import reason
 from linkwright.model.output_files import write_aside
 from linkwright.words import language
 
+MARK = "\ufeff"
+"""The mark of UTF-8 at the beginning of a file, by which Excel knows it."""
 
-def new_table(name: str, file: Path, force: bool = False) -> list[Finding]:
+
+def new_table(name: str, file: Path, force: bool = False, *, excel: bool = False) -> list[Finding]:
     """Write a table for a batch of exports, with the parameters of a model of the gallery or of a model file; what
-    stands against it, where something does."""
+    stands against it, where something does. With ``excel`` it begins with the mark of UTF-8."""
     from linkwright.app.batch import template
 
     text, findings = template(name, file.parent)
     if [finding.code for finding in findings] == ["batch.model"]:
         return [_unknown(name)]
-    return [finding for finding in findings if finding.severity == "error"] or _write(file, text, force)
+    return [finding for finding in findings if finding.severity == "error"] or _write(file, MARK * excel + text, force)
 
 
 def new(name: str, file: Path, force: bool = False) -> list[Finding]:

@@ -14,6 +14,7 @@ from __future__ import annotations
 import os
 import platform
 import shutil
+from codecs import BOM_UTF8
 from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
@@ -37,13 +38,21 @@ class ResultsFolder:
 
     Entering it locks the folder, :meth:`begin` prepares it, :meth:`done` says that all is written; left without that,
     the run has failed. Raises :class:`ModelError` for a folder in use and for files in the way, OSError where it can't
-    be written to. With ``comments``, CSV files begin with comments that name their origin.
+    be written to. With ``comments``, CSV files begin with comments that name their origin; with ``excel``, with the
+    mark of UTF-8, without which Excel reads them as in the system's encoding.
     """
 
     def __init__(
-        self, path: Path, origin: Origin, kind: str = STUDIES, *, force: bool = False, comments: bool = False
+        self,
+        path: Path,
+        origin: Origin,
+        kind: str = STUDIES,
+        *,
+        force: bool = False,
+        comments: bool = False,
+        excel: bool = False,
     ) -> None:
-        self.path, self._origin, self._force, self._commented = path, origin, force, comments
+        self.path, self._origin, self._force, self._commented, self._excel = path, origin, force, comments, excel
         self._kind, self._lock = kind, Lock(path / LOCK)
         self._manifest = Manifest(model=Model.of(origin))
         self._part = CommandFiles(state="running", date=origin.date)
@@ -153,6 +162,8 @@ class ResultsFolder:
         data = content.encode() if isinstance(content, str) else content
         if self._commented and name.endswith(".csv"):
             data = self._comments().encode() + data
+        if self._excel and name.endswith(".csv"):
+            data = BOM_UTF8 + data.removeprefix(BOM_UTF8)
         for part in self._manifest.written.values():  # two exports may write files of one name
             part.files = [entry for entry in part.files if entry.name != name]
         self._part.files.append(Entry.of(name, data))

@@ -13,6 +13,7 @@ from linkwright._version import __version__
 from linkwright.cli import studies
 from linkwright.cli.execution import (
     COMMENTS,
+    EXCEL,
     FILE,
     FORCE,
     JSON,
@@ -74,12 +75,12 @@ def cli() -> None:
 
 
 @cli.command(help="cli.run")
-@options(FILE, OUT, OPEN, FORCE, COMMENTS, NETCDF, QUIET, VERBOSE, JSON)
-def run(file: Path, out: Path | None, force: bool, comments: bool, netcdf: bool, **told: bool) -> None:
+@options(FILE, OUT, OPEN, FORCE, COMMENTS, EXCEL, NETCDF, QUIET, VERBOSE, JSON)
+def run(file: Path, out: Path | None, force: bool, comments: bool, excel: bool, netcdf: bool, **told: bool) -> None:
     """Perform a file's studies."""
     from linkwright import app
 
-    how = app.Writing(["netcdf"] if netcdf else [], force=force, comments=comments)
+    how = app.Writing(["netcdf"] if netcdf else [], force=force, comments=comments, excel=excel)
     carry_out(app.examine_file(file), file, "run", out, Telling(**told), how)
 
 
@@ -108,7 +109,7 @@ def modes(file: Path, as_json: bool) -> None:
 
 
 @cli.command(help="cli.export")
-@options(FILE, OUT, FORCE, COMMENTS)
+@options(FILE, OUT, FORCE, COMMENTS, EXCEL)
 @option("--to", metavar="NAME", help="cli.to")
 @option("--dialect", metavar="NAME", help="cli.dialect")
 @option("--set", "settings", multiple=True, metavar="KEY=VALUE", help="cli.set")
@@ -118,6 +119,7 @@ def export(
     out: Path | None,
     force: bool,
     comments: bool,
+    excel: bool,
     to: str | None,
     dialect: str | None,
     settings: tuple[str, ...],
@@ -130,7 +132,7 @@ def export(
     if to is None:
         show.refusals([app.no_target()])
         sys.exit(2)
-    folder, how = out or beside(file), app.Writing(force=force, comments=comments)
+    folder, how = out or beside(file), app.Writing(force=force, comments=comments, excel=excel)
     with show.working(file, to, quiet=as_json), writable(folder):
         if file.suffix.lower() == ".csv":
             job = app.export_batch(file, to, folder, how, settings, {"dialect": dialect})
@@ -173,7 +175,8 @@ def bench(
 @option("--table", "as_table", is_flag=True, help="cli.new_table")
 @option("-o", "--out", type=click.Path(path_type=Path), help="cli.new_out")
 @option("--force", is_flag=True, help="cli.force")
-def new(name: str | None, as_list: bool, as_table: bool, out: Path | None, force: bool) -> None:
+@EXCEL
+def new(name: str | None, as_list: bool, as_table: bool, out: Path | None, force: bool, excel: bool) -> None:
     """Start a model file from the gallery, or a table for a batch of exports."""
     from linkwright.app import new_files
     from linkwright.cli import show
@@ -183,7 +186,8 @@ def new(name: str | None, as_list: bool, as_table: bool, out: Path | None, force
             show.gallery()
         return
     file = out or Path(f"{Path(name).stem}.csv" if as_table else f"{name}.yaml")
-    if findings := (new_files.new_table if as_table else new_files.new)(name, file, force):
+    make = partial(new_files.new_table, excel=excel) if as_table else new_files.new
+    if findings := make(name, file, force):
         show.refusals(findings)
         sys.exit(2)
     show.written(file)

@@ -28,6 +28,7 @@ VERBOSE = option("-v", "--verbose", is_flag=True, help="cli.verbose")
 OPEN = option("--open", "opened", is_flag=True, help="cli.open")
 FORCE = option("--force", is_flag=True, help="cli.force_folder")
 COMMENTS = option("--csv-comments", "comments", is_flag=True, help="cli.csv_comments")
+EXCEL = option("--excel", is_flag=True, help="cli.excel")
 
 
 def options(*every: Callable[..., Any]) -> Callable[[Callable[..., None]], Callable[..., None]]:

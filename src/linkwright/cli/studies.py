@@ -71,7 +71,7 @@ class StudyCommand(Hinted):
             execution.end_of_job(job, file, telling)
         asked = [name for name in _file_options(study) if given[name]]
         examined.findings += _lacking(study, asked)
-        how = app.Writing(asked, force=given["force"], comments=given["comments"])
+        how = app.Writing(asked, force=given["force"], comments=given["comments"], excel=given["excel"])
         with app.runner_of(given.get("workers"), given.get("cluster")) as runner:
             execution.carry_out(
                 examined, file, self.study, given["out"], telling, how, runner, given.get("fresh", False)
@@ -105,7 +105,7 @@ def _params(study: Study, command: Command) -> list[click.Parameter]:
         more = {"type": kind} if kind else {"metavar": "NAME"}
         flags.append(option(f"--{setting.name}", multiple=setting.several, help=f"cli.{setting.name}", **more))
     if command.writes:
-        flags += [execution.OUT, execution.OPEN, execution.FORCE, execution.COMMENTS]
+        flags += [execution.OUT, execution.OPEN, execution.FORCE, execution.COMMENTS, execution.EXCEL]
         flags += [option(f"--{name}", is_flag=True, help=f"cli.{name}") for name in _file_options(study)]
     if command.fresh:
         flags.append(option("--fresh", is_flag=True, help="cli.fresh"))

@@ -50,11 +50,17 @@ class Spoken(Helped, click.Command):
         return [*own, LANGUAGE, help_option]
 
 
+_DASHES = ("－", "—", "–", "―", "−")
+"""What Chinese keyboards and word processors write for the hyphens of an option."""
+
+
 class Hinted(Spoken):
     """A command that names the option that may be meant."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Parse the arguments. Raises :class:`click.UsageError`."""
+        if (word := next((word for word in args if word.startswith(_DASHES)), None)) and not Path(word).exists():
+            raise click.UsageError(say("cli.dashes", given=word, meant=f"--{word.lstrip(''.join(_DASHES))}"), ctx)
         try:
             return super().parse_args(ctx, args)
         except click.NoSuchOption as error:

@@ -14,7 +14,9 @@ from linkwright.expressions.parser import reads
 from linkwright.expressions.respelled import syntax_fault
 from linkwright.expressions.typed_fields import Quantity, Ref, Sign
 from linkwright.expressions.units import ANGLE, LENGTH
+from linkwright.expressions.wide import WIDE
 from linkwright.expressions.written import (
+    MAX_NAME,
     Frozen,
     FrozenDict,
     Written,
@@ -110,10 +112,16 @@ def parse_text(text: str) -> Node:
         raise fault(code, **data) from None
 
 
+_BOTH = re.compile(r"\s*[\[(]?\s*([^,~…()\[\]]+?)\s*(?:,|~|…|\.\.|\bto\b|至|到)\s*([^,~…()\[\]]+?)\s*[\])]?\s*")
+"""Two values that aren't written as a list."""
+
+
 def pair(wanted: str) -> Callable[[Any], Any]:
     """A validator of lists of two; ``wanted`` is the phrase that says what they hold."""
 
     def check(raw: Any) -> Any:
+        if isinstance(raw, str) and len(raw) <= MAX_NAME and (both := _BOTH.fullmatch(raw.translate(WIDE))):
+            raise unexpected(wanted, raw, Term("write-bare", text=f"[{both[1]}, {both[2]}]"))
         if not isinstance(raw, list | tuple) or len(raw) != 2:
             raise unexpected(wanted, raw)
         return tuple(raw)
@@ -131,7 +139,7 @@ class Position(Written):
             {"type": "string", "pattern": " at |^sketch$"},
         ]
     }
-    spellings = {r"\(?([^,()]+),\s*([^,()]+)\)?": r"[\1, \2]", r"(.+?)\s*[@<∠]\s*(.+)": r"\1 at \2"}
+    spellings = {r"[\[(]?([^,()\[\]]+),\s*([^,()\[\]]+)[\])]?": r"[\1, \2]", r"(.+?)\s*[@<∠]\s*(.+)": r"\1 at \2"}
     first: Expression
     second: Expression
     polar: bool
@@ -214,6 +222,8 @@ class LineOn(Written):
 
 _TWO = r"\s+(?!of\b)(\w+)\s*(?:-|–|,|\s|\band\b|\bto\b)\s*(\w+)"
 """Two points in other spellings of A-B."""
+_LINE = r"在?\s*(\w+?)\s*-\s*(\w+?)\s*的?"
+"""A line in Chinese: B-D的."""
 
 
 class Shape(Written):
@@ -222,9 +232,9 @@ class Shape(Written):
     __slots__ = ("form", "points", "radius")
     json_type = {"type": "string", "pattern": "^\\s*(rod|disc|point) "}
     spellings = {
-        rf"(?i:rod|bar|beam|link|stick){_TWO}": r"rod \1-\2",
-        r"(?i:disc|disk|wheel|cylinder)\s+(\S.*?)\s+(?:at|in|on|@)\s+(\w+)": r"disc \1 at \2",
-        r"(?i:point|mass|particle)(?:\s+mass)?\s+(?:at\s+)?(\w+)": r"point \1",
+        rf"(?i:rod|bar|beam|link|stick|匀质杆|均质杆|细杆|杆){_TWO}": r"rod \1-\2",
+        r"(?i:disc|disk|wheel|cylinder|圆盘|盘)\s+(\S.*?)\s+(?:at|in|on|@)\s+(\w+)": r"disc \1 at \2",
+        r"(?i:point|mass|particle|质点|点)(?:\s+mass)?\s+(?:at\s+)?(\w+)": r"point \1",
     }
     form: str
     points: tuple[str, ...]
@@ -260,10 +270,12 @@ class AssemblyRule(Written):
         ]
     }
     spellings = {
-        rf"(?i:left)(?:\s+of)?{_TWO}": r"left of \1-\2",
-        rf"(?i:right)(?:\s+of)?{_TWO}": r"right of \1-\2",
-        r"(?i:open|opened)": "open",
-        r"(?i:cross|crossed|crossing)": "crossed",
+        rf"(?i:left|左)(?:\s+of)?{_TWO}": r"left of \1-\2",
+        rf"(?i:right|右)(?:\s+of)?{_TWO}": r"right of \1-\2",
+        rf"{_LINE}左[侧边面]?": r"left of \1-\2",
+        rf"{_LINE}右[侧边面]?": r"right of \1-\2",
+        r"(?i:open|opened)|开式|不交叉": "open",
+        r"(?i:cross|crossed|crossing)|交叉[式型]?": "crossed",
     }
     word: str
     reference: tuple[str, ...]
@@ -309,15 +321,22 @@ class AssemblyRule(Written):
         self.set_attribute("sketch", sketch)
 
 
+_AT_LEAST = "不小于|不低于|不少于|大于或?等于|大于|高于|超过|至少|最小"
+_AT_MOST = "不大于|不高于|不超过|不多于|小于或?等于|小于|低于|至多|最多|最大"
+
+
 class Requirement(Written):
     """A limit on a measure: ``>= 680 mm``, ``<= 5 N*m``, or a range ``10 mm .. 12 mm``."""
 
     __slots__ = ("high", "low")
     json_type = {"type": "string", "pattern": "^\\s*(>=|<=)|\\.\\."}
     spellings = {
-        r"(?:≥|⩾|=>|>|at least|min\.?|不小于)\s*([^=].*)": r">= \1",
-        r"(?:≤|⩽|=<|<|at most|max\.?|不大于)\s*([^=].*)": r"<= \1",
-        r"\[?([^,\]]+?)\s*(?:~|～|…|–|—|,|\bto\b|\bbis\b|至|到| - )\s*([^,\]]+?)\]?": r"\1 .. \2",
+        rf"(?:≥|⩾|≧|=>|>|at least|min\.?|{_AT_LEAST})\s*([^=].*)": r">= \1",
+        rf"(?:≤|⩽|≦|=<|<|at most|max\.?|{_AT_MOST})\s*([^=].*)": r"<= \1",
+        r"(\d.*?)\s*(?:以上|及以上)": r">= \1",
+        r"(\d.*?)\s*(?:以下|以内|及以下)": r"<= \1",
+        r"([\d.]+(?:\s*[^\W\d]+)?)\s*-\s*([\d.]+(?:\s*[^\W\d]+)?)": r"\1 .. \2",
+        r"\[?([^,\]]+?)\s*(?:~|…|,|\bto\b|\bbis\b|至|到| - )\s*([^,\]]+?)\]?": r"\1 .. \2",
     }
     low: Expression | None
     high: Expression | None

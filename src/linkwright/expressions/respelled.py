@@ -7,20 +7,20 @@ expression is never read that way: the spelling that is meant is proposed, and m
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Callable, Collection
 
 from linkwright.expressions.parser import reads, tokens
 from linkwright.expressions.synonyms import unit_meant
-from linkwright.expressions.units import is_unit, unit_words
+from linkwright.expressions.units import UnitError, is_unit, unit, unit_words
 from linkwright.expressions.unknown import alike
+from linkwright.expressions.wide import WIDE
 from linkwright.expressions.written import Fault
 from linkwright.findings import Term
 
-WIDE = {code: chr(code - 0xFEE0) for code in range(0xFF01, 0xFF5F)} | {
-    0x3000: " ", 0x3001: ",", 0x3002: ".", 0x3010: "[", 0x3011: "]", 0x201C: '"', 0x201D: '"', 0x2018: "'", 0x2019: "'",
-}  # fmt: skip
-"""Punctuation, digits and letters of Chinese keyboards, with those that a file takes."""
-_SIGNS = str.maketrans({"÷": "/", "√": "sqrt", "π": "pi", "∙": "*", "•": "*", "–": "-"})
+_SIGNS = str.maketrans({"÷": "/", "∕": "/", "√": "sqrt", "π": "pi", "∙": "*", "•": "*", "⋅": "*", "˚": "°", "º": "°"})
+_SQUARED = re.compile("[\u3371-\u33df]")
+"""Units as one character: ㎜, ㎏, ㎡."""
 _RAISED = str.maketrans("⁻¹²³", "-123")
 _LONGEST = 100
 ALIKE_UNIT = 0.75
@@ -33,10 +33,8 @@ def respelled(text: str, known: Collection[str] = ()) -> tuple[Term, Term] | Non
     names that mean what they say."""
     if len(text) > _LONGEST:
         return None
-    if (limits := _LIMITS.fullmatch(text.strip())) and reads(limits[1] or "0") and reads(limits[2]):
-        value, tolerance = limits.groups()
-        hint = Term("write-tolerance", value=value, text=tolerance) if value else Term("write", text=tolerance)
-        return Term("respelled-tolerance"), hint
+    if (found := _as_drawn(text.strip().translate(WIDE))) is not None:
+        return None if text.strip() in known else found
     why, meant = None, text
     for reason, rule in _RULES.items():
         if (changed := rule(meant, known)) != meant:
@@ -48,15 +46,63 @@ def respelled(text: str, known: Collection[str] = ()) -> tuple[Term, Term] | Non
     return Term(f"respelled-{why}"), Term("write", text=meant)
 
 
+def _as_drawn(text: str) -> tuple[Term, Term] | None:
+    """A dimension as drawings have it: with the sign for a diameter, a tolerance, a range, a remark, a mark as its
+    unit."""
+    if drawn := _DIAMETER.fullmatch(text):
+        value, tolerance = drawn.groups()
+        hint = Term("write-tolerance", value=value, text=tolerance) if tolerance else Term("write", text=value)
+        return Term("respelled-diameter"), hint
+    if (remark := _REMARK.fullmatch(text)) and _sense(text, ()) == text:
+        return _with_remark(*remark.groups())
+    if (limits := _LIMITS.fullmatch(text)) and reads(limits[1] or "0") and reads(limits[2]):
+        value, tolerance = limits.groups()
+        hint = Term("write-tolerance", value=value, text=tolerance) if value else Term("write", text=tolerance)
+        return Term("respelled-tolerance"), hint
+    if ends := _RANGE.fullmatch(text):
+        return Term("respelled-range"), Term("write-choice", text=ends[1].strip(), other=ends[2])
+    if mark := _MARK.fullmatch(text):
+        units = ("arcmin", "ft") if mark[2] in "′'" else ("arcsec", "in")
+        text, other = (f"{mark[1]} {word}" for word in units)
+        return Term("respelled-mark"), Term("write-choice", text=text, other=other)
+    return None
+
+
+def _with_remark(value: str, remark: str) -> tuple[Term, Term] | None:
+    """A value and a remark in brackets, which may be a factor where there is no unit between them."""
+    if not reads(value):
+        found = respelled(value)
+        value = str(found[1].data.get("text", "")) if found else ""
+    if not value:
+        return None
+    commented = f"{value}  # {remark}"
+    if [*tokens(value)][-1][0] != "number":
+        return Term("respelled-stray"), Term("write", text=commented)
+    return Term("respelled-factor"), Term("write-choice", text=f"{value}*({remark})", other=commented)
+
+
 _LIMITS = re.compile(r"(.*?)\s*(?:±|\+/-|\+-)\s*(.+)")
 _THOUSANDS = re.compile(r"(-?\d{1,3}),(\d{3})((?:\s*\w+)?)")
+_DIAMETER = re.compile(r"[φΦøØ⌀∅]\s*(\d+(?:\.\d+)?(?:\s*mm)?)\s*(?:±\s*)?([a-zA-Z]{1,2}\d{1,2}|(?<=±)\d+(?:\.\d+)?)?")
+"""A diameter as drawings have it, with a class or a tolerance."""
+_RANGE = re.compile(r"(-?[\d.]+(?:\s*\w+?)?)\s*(?:~|…|至|到)\s*(-?[\d.]+(?:\s*\w+)?)")
+_MARK = re.compile(r"(\d+(?:\.\d+)?)\s*(′|″|''|\"|')")
+_PART = r"(\d+(?:\.\d+)?)\s*"
+_REMARK = re.compile(r"(-?\d.*?\S)\s*\(\s*([\u4e00-\u9fff][^-+*/^().]*?)\s*\)")
+"""A remark in brackets behind a value, in Chinese."""
+_DEGREES = re.compile(rf"(-?){_PART}(?:°|度|deg)\s*{_PART}(?:′|'|分)(?:\s*{_PART}(?:″|''|\"|秒))?")
 _NUMBER = r"(?<![\w.])(\d+(?:\.\d*)?)"
-_ROUND = r"(?:rounds?|rev(?:olution)?s?|turns?|rotations?|r|U|转)"
+_ROUND = r"(?:rounds?|rev(?:olution)?s?|turns?|rotations?|r|U|转|圈)"
 _MINUTE = re.compile(
-    rf"{_NUMBER}(?:(?:\s+1|\s*{_ROUND})?\s*/\s*(?:min(?:utes?)?|分钟?)|\s*min\s*\^?\s*-\s*1|\s*r\.p\.m\.?)(?!\s*[\w(])",
+    rf"{_NUMBER}(?:(?:\s+1|\s*{_ROUND})?\s*[/每]\s*(?:min(?:utes?)?|分钟?)|\s*min\s*\^?\s*-\s*1|\s*r\.p\.m\.?)(?!\s*[\w(])",
     re.I,
 )
-_SECOND = re.compile(rf"{_NUMBER}\s*(?:rps|{_ROUND}\s*/\s*(?:s|sec|seconds?|秒))(?!\s*[\w(])", re.I)
+_SECOND = re.compile(rf"{_NUMBER}\s*(?:rps|{_ROUND}\s*[/每]\s*(?:s|sec|seconds?|秒钟?))(?!\s*[\w(])", re.I)
+_EACH = re.compile(rf"每(分|秒)钟?\s*{_PART}(?:转|圈)")
+_MULTIPLES = {"丝": "0.01 mm", "道": "0.01 mm", "忽米": "0.01 mm", "斤": "0.5 kg", "两": "50 g", "马力": "735.5 W"}
+_MULTIPLE = re.compile(rf"{_NUMBER}\s*({'|'.join(_MULTIPLES)})(?!\w)")
+_INVERSE = re.compile(r"\s*(?:[*·×.]|(?<=\w)\s)\s*([^\W\d]+)\s*\^\s*-\s*([1-9])(?!\d)")
+_PI_UNIT = re.compile(r"(?<![^\W\d])pi\s*\*?\s*([^\W\d]+(?:\s*/\s*[^\W\d]+(?:\^\d)?)?)\s*$")
 _COMMA = re.compile(r"(?<![\w.,])(\d+),(\d+)(?![\w.,]*,)(?!\.)")
 _GROUPED = re.compile(r"(?<![\w.,])\d{1,3}(?:(?:\.\d{3})+,\d+|(?:,\d{3})+\.\d+|(?:[' ]\d{3})+(?:[.,]\d+)?)(?![\w.,])")
 
@@ -65,8 +111,20 @@ def _wide(text: str, known: Collection[str]) -> str:
     return text.translate(WIDE)
 
 
+def _degrees(text: str, known: Collection[str]) -> str:
+    """Degrees, minutes and seconds as a sum."""
+
+    def summed(match: re.Match[str]) -> str:
+        sign, *parts = match.groups()
+        terms = [f"{part} {word}" for part, word in zip(parts, ("deg", "arcmin", "arcsec"), strict=True) if part]
+        return f"-({' + '.join(terms)})" if sign else " + ".join(terms)
+
+    return _DEGREES.sub(summed, text)
+
+
 def _signs(text: str, known: Collection[str]) -> str:
-    text = re.sub(r"\|([^|]+)\|", r"abs(\1)", text)
+    text = _SQUARED.sub(lambda match: unicodedata.normalize("NFKC", match.group()), text)
+    text = re.sub(r"√\s*(\w[\w.]*)", r"sqrt(\1)", re.sub(r"\|([^|]+)\|", r"abs(\1)", text))
     text = re.sub(r"(?<=[\d)])\s*[xX]\s*(?=[\d(])", "*", text)
     return re.sub("[⁻¹²³]+", lambda match: "^" + match.group().translate(_RAISED), text).translate(_SIGNS)
 
@@ -74,7 +132,7 @@ def _signs(text: str, known: Collection[str]) -> str:
 def _stray(text: str, known: Collection[str]) -> str:
     """Without what programs and sentences put around an expression: = before it, a comment, a mark behind it."""
     plain = re.sub(r"\$|\{(?=\w+\})|(?<=\w)\}", "", text)
-    return re.sub(r"\s*(?://.*|#.*|[;,.])\s*$", "", re.sub(r"^\s*=+\s*", "", plain))
+    return re.sub(r"\s*(?://.*|#.*|;.*|[,.])\s*$", "", re.sub(r"^\s*(?:[^\W\d]\w*\s*)?=+\s*", "", plain))
 
 
 def _comma(text: str, known: Collection[str]) -> str:
@@ -106,30 +164,62 @@ def _within_call(text: str, at: int) -> bool:
 
 
 def _speed(text: str, known: Collection[str]) -> str:
+    text = _EACH.sub(lambda match: f"{match[2]} {'rpm' if match[1] == '分' else 'r/s'}", text)
     return _SECOND.sub(r"\1 r/s", _MINUTE.sub(r"\1 rpm", text))
+
+
+def _multiple(text: str, known: Collection[str]) -> str:
+    """Units that there are elsewhere as multiples of those that there are here."""
+    return _MULTIPLE.sub(lambda match: f"{match[1]}*{_MULTIPLES[match[2]]}", text)
+
+
+def _inverse(text: str, known: Collection[str]) -> str:
+    """A division where a unit has a negative power."""
+
+    def divided(match: re.Match[str]) -> str:
+        word = match[1] if is_unit(match[1]) else unit_meant(match[1])
+        return match.group() if word is None else f"/{word}" + (f"^{match[2]}" if match[2] != "1" else "")
+
+    return _INVERSE.sub(divided, text)
+
+
+def _pi(text: str, known: Collection[str]) -> str:
+    """A unit behind pi with the number 1 before it."""
+
+    def with_number(match: re.Match[str]) -> str:
+        try:
+            unit(match[1])
+        except UnitError:
+            return match.group()
+        return f"pi*(1 {match[1]})"
+
+    return _PI_UNIT.sub(with_number, text)
 
 
 def _units(text: str, known: Collection[str]) -> str:
     """Units by their short names, where a unit can stand: behind a number or another unit."""
-    text = _DOTTED.sub(r"\1*\2", text)
+    text = _DOTTED.sub(lambda match: match.group() if match[2] in known else f"{match[1]}*{match[2]}", text)
+    text = _PRESSURE.sub("kgf", text)
     parts, at, may = [], 0, False
     for kind, value, start, end in tokens(text):
         foreign = kind == "word" and may and value not in known and not is_unit(value)
-        unit = unit_meant(value) or _with_power(value) or _misspelled(value) if foreign else None
-        gap = text[at:start] or (" " if unit and text[start - 1 : start].isdigit() else "")
-        parts += [gap, unit or text[start:end]]
-        may = kind == "number" or (may and (unit is not None or is_unit(value) or value in ("*", "/", "^")))
+        meant = unit_meant(value) or _with_power(value) or _misspelled(value) if foreign else None
+        gap = text[at:start] or (" " if meant and text[start - 1 : start].isdigit() else "")
+        parts += [gap, meant or ("*" if may and value == "·" else text[start:end])]
+        may = kind == "number" or (may and (meant is not None or is_unit(value) or value in ("*", "/", "^", "·", "×")))
         at = end
     return "".join(parts) + text[at:]
 
 
-_DOTTED = re.compile(r"\b(k?N)\.(m{1,2})\b")
+_DOTTED = re.compile(r"\b(k?N)[-. ](m{1,2})\b")
+_PRESSURE = re.compile(r"(?:公斤|kg)(?=\s*/\s*(?:平方[厘毫]?米|(?:[cm]?m|[厘毫]?米)\^?2))")
 
 
 def _with_power(word: str) -> str | None:
     """A unit and its power written as one word: s2."""
-    unit, power = word[:-1], word[-1]
-    return f"{unit}^{power}" if power in "23" and is_unit(unit) else None
+    stem, power = word[:-1], word[-1]
+    base = stem if is_unit(stem) else unit_meant(stem)
+    return f"{base}^{power}" if power in "23" and base is not None else None
 
 
 def _misspelled(word: str) -> str | None:
@@ -152,19 +242,36 @@ def _factor(text: str, known: Collection[str]) -> str:
 
 def _dot(text: str, known: Collection[str]) -> str:
     """A signal of an element whose name stands before it."""
-    return re.sub(rf"^\s*([^\W\d]\w*)\s+({_SIGNALS})\s*$", r"\1.\2", text)
+    return re.sub(rf"^\s*([^\W\d]\w*?)(?:\s+|\s*的\s*)({_SIGNALS})\s*$", r"\1.\2", text)
 
 
 def _sense(text: str, known: Collection[str]) -> str:
     """A speed with the sense of rotation as its sign."""
-    return re.sub(r"^\s*(\d.*?)\s+(?i:clockwise|cw|顺时针)\s*$", r"-\1", text)
+    for words, sign in (("clockwise|cw|顺时针", "-"), ("counter-?clockwise|anti-?clockwise|ccw|逆时针", "")):
+        text = re.sub(rf"^\s*(?i:{words})\s*(\d.*?)\s*$", rf"{sign}\1", text)
+        text = re.sub(rf"^\s*(\d.*?)(?:\s+|\s*\(\s*)(?i:{words})\s*\)?\s*$", rf"{sign}\1", text)
+    return text
 
 
 _RULES: dict[str, Callable[[str, Collection[str]], str]] = {
-    "wide": _wide, "signs": _signs, "stray": _stray, "comma": _comma, "speed": _speed, "unit": _units,
-    "factor": _factor, "dot": _dot, "sense": _sense,
+    "wide": _wide, "degrees": _degrees, "signs": _signs, "sense": _sense, "stray": _stray, "comma": _comma,
+    "speed": _speed, "multiple": _multiple, "inverse": _inverse, "unit": _units, "pi": _pi, "factor": _factor,
+    "dot": _dot,
 }  # fmt: skip
 """Ways to write, each with its rewriting; applied one after the other, the first that changes something is named."""
+
+
+def unit_respelled(text: str) -> str | None:
+    """The unit that a text in another spelling stands for, if it does for one."""
+    if (meant := unit_meant(text)) is not None:
+        return meant
+    text = re.sub("[·×⋅]", "*", text)
+    found = respelled(f"1 {text}")
+    meant = str(found[1].data.get("text", "")).removeprefix("1 ") if found else text
+    try:
+        return meant if unit(meant) and meant not in ("", "1") else None
+    except UnitError:
+        return None
 
 
 def syntax_fault(text: str, reason: Term, known: Collection[str] = ()) -> Fault:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Iterable, Sequence
 from difflib import SequenceMatcher
 from typing import Any
@@ -46,10 +47,17 @@ def near(name: str, known: Iterable[str], listed: bool = False) -> Near:
     """A sentence: which of the known names may be meant, else what is known; ``listed`` says that besides, too."""
     names = [word for word in dict.fromkeys(known) if len(word) <= LONGEST]
     if likely := likeliest(name, names):
+        if any(name != word and _narrow(name) == _narrow(word) for word in likely[:1]):
+            return Near("near-wide", likely[:1], likely)
         if listed and len(likely) < len(names) <= LISTED:
             return Near("near-one-of" if len(likely) == 1 else "near-some-of", likely, likely, names[:LISTED])
         return proposed(likely)
     return Near("near-none" if names else "near-nothing", names[:LISTED], ())
+
+
+def _narrow(name: str) -> str:
+    """A name with half-width letters."""
+    return unicodedata.normalize("NFKC", name)
 
 
 def likeliest(name: str, known: Sequence[str]) -> list[str]:

@@ -20,6 +20,7 @@ from pydantic import (
 from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, core_schema
 
 from linkwright.expressions.schema_texts import description
+from linkwright.expressions.wide import WIDE
 from linkwright.findings import Term
 
 NO_TEXT = re.compile(r"[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
@@ -226,11 +227,34 @@ class Written:
     def unexpected(self, wanted: str, raw: Any) -> PydanticCustomError:
         """A fault: something else is wanted, with what is meant where it is in another spelling."""
         given = str(raw).strip() if isinstance(raw, str | int | float) and not isinstance(raw, bool) else ""
+        half = given.translate(WIDE).strip()
+        if half != given and self._within(half) == half:
+            return unexpected(wanted, raw, Term("write", text=half))
         for pattern, meant in self.spellings.items():
-            if len(given) <= MAX_NAME and (match := re.fullmatch(pattern, given)):
+            if len(given) <= MAX_NAME and (match := re.fullmatch(pattern, half)):
                 text = match.expand(meant)
-                return unexpected(wanted, raw, Term("write-bare" if text.startswith("[") else "write", text=text))
+                if text.startswith("["):
+                    return unexpected(wanted, raw, Term("write-bare", text=text))
+                return unexpected(wanted, raw, Term("write", text=self._within(text) or text))
         return unexpected(wanted, raw)
+
+    def _within(self, text: str) -> str | None:
+        """A text with the expressions in it as they are meant, where it can be read as such a value and isn't itself in
+        another spelling."""
+        for _ in range(3):
+            if any(re.fullmatch(pattern, text) for pattern in self.spellings):
+                return None
+            try:
+                type(self)(text)
+            except PydanticCustomError as error:
+                found = error.context or {}
+                hint, part = found.get("hint"), str(found.get("text", ""))
+                if found.get("code") != "expression.respelled" or not isinstance(hint, Term) or part not in text:
+                    return None
+                text = text.replace(part.strip(), str(hint.data["text"]).strip())
+            else:
+                return text
+        return None
 
     def set_attribute(self, name: str, value: Any) -> None:
         """Set an attribute, while the value is being made."""

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from linkwright.expressions.written import NO_TEXT
 from linkwright.findings import Finding, ModelError, Term, capped
+from linkwright.model.encodings import decoded, likely_encoding
 from linkwright.model.input_files import read_beside
 from linkwright.model.quantities import LARGEST
 
@@ -23,12 +24,13 @@ MAX_TOLD = 10
 @dataclass(frozen=True)
 class CsvFile:
     """``heads`` are the cells of the first line, ``rows`` the others that aren't blank, each with its line in the file;
-    ``path`` is the place in the model that names the file."""
+    ``path`` is the place in the model that names the file; ``encoding`` is the file's where it isn't UTF-8."""
 
     name: str
     path: Path_
     heads: list[str]
     rows: list[tuple[int, list[str]]]
+    encoding: str | None = None
 
     def column(self, head: str, wanted: str | None = None) -> int:
         """The number of the column with a head; ``wanted`` is what to write there. Raises :class:`ModelError`."""
@@ -68,7 +70,7 @@ def finite(cell: str) -> float:
 
 def read_csv(name: str, folder: Path | None, path: Path_, limit: int) -> CsvFile:
     """A CSV file beside the model, of up to ``limit`` rows below its heads. Raises :class:`ModelError`."""
-    text = _decoded(read_beside(name, folder, path), name, path)
+    text, encoding = _decoded(read_beside(name, folder, path), name, path)
     reader = csv.reader(io.StringIO(text, newline=""))
     try:
         lines = ((reader.line_num, cells) for cells in reader if any(map(str.strip, cells)))
@@ -81,19 +83,25 @@ def read_csv(name: str, folder: Path | None, path: Path_, limit: int) -> CsvFile
     found = [cell.strip() for cell in heads[1]]
     if not found:
         raise ModelError([Finding("table.empty", path, {"file": name})])
-    if len(found) == 1 and (sign := next((sign for sign in ";\t" if sign in found[0]), None)):
+    if len(found) == 1 and (sign := next((sign for sign in ";\t，；、" if sign in found[0]), None)):
         data = {"file": name, "sign": Term("tab") if sign == "\t" else sign}
         raise ModelError([Finding("table.separator", path, data)])
-    return CsvFile(name, path, found, rows)
+    return CsvFile(name, path, found, rows, encoding)
 
 
-def _decoded(content: bytes, name: str, path: Path_) -> str:
+def _decoded(content: bytes, name: str, path: Path_) -> tuple[str, str | None]:
+    """The text of a file, and its encoding where it isn't UTF-8: numbers are the same in all that are read, and names
+    are compared with the model's."""
+    encoding, text = None, ""
     try:
         text = content.decode("utf-8-sig")
         at = len(text[: bad.start()].encode()) if (bad := NO_TEXT.search(text)) else None
     except UnicodeDecodeError as error:
         at = error.start
+        if (other := decoded(content, table=True)) and not NO_TEXT.search(other.text):
+            text, encoding, at = other.text, other.encoding, None
     if at is None:
-        return text
-    line = content.count(b"\n", 0, at) + 1
-    raise ModelError([Finding("table.not-text", path, {"file": name, "at": at, "line": line})])
+        return text, encoding
+    line, likely = content.count(b"\n", 0, at) + 1, likely_encoding(content)
+    code = "table.not-text" if likely is None else "table.encoding"
+    raise ModelError([Finding(code, path, {"file": name, "at": at, "line": line, "encoding": likely})])

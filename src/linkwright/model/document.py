@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import warnings
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -110,13 +111,16 @@ def located(findings: Iterable[Finding], source: Source) -> list[Finding]:
 
 
 def load(path: str | Path) -> Document:
-    """The document in a model file.
+    """The document in a model file; what is remarked on its text, such as another encoding than UTF-8, is a warning of
+    Python.
 
     Raises :class:`ModelError` with all findings of form, OSError where the file can't be read.
     """
     document, source = read_document(read_at_most(Path(path), MAX_BYTES))
     if document is None:
         raise ModelError(source.findings)
+    for remark in source.remarks:
+        warnings.warn(f"{path}: {remark}", stacklevel=2)
     return document
 
 

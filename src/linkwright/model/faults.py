@@ -38,7 +38,8 @@ def findings_of(faults: Iterable[Any], source: Source, owner: Any) -> list[Findi
 
 _FOLLOWING = {
     "joint.kind", "joint.line", "joint.at", "drive.kind", "drive.law", "drive.start", "drive.on", "load.empty",
-    "spring.ends", "spring.law", "spring.stray", "mass.missing", "measure.reduction", "law.way",
+    "spring.ends", "spring.law", "spring.stray", "mass.missing", "mass.incomplete",
+    "measure.reduction", "law.way",
 }  # fmt: skip
 """What else is wrong with an entry of which a key has another name: it follows from that."""
 

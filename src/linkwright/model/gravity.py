@@ -29,7 +29,7 @@ class Gravity(Written):
         ]
     }
     spellings = {
-        r"(?i:earth|g|1 ?g|true|yes|down)": "earth",
+        r"(?i:earth|g|1 ?g|true|yes|down)|地球|重力|向下|是|有": "earth",
         r"[-+]?(\d+(?:\.\d*)?)": r"[0, -\1 m/s^2]",
         r"[-+]?(\d+(?:\.\d*)?\s*m+/s.*)": r"[0, -\1]",
     }

@@ -16,7 +16,7 @@ from linkwright.model.yaml_text import MAX_BYTES, Source
 @dataclass(frozen=True)
 class ModelFile:
     """What a model file holds: its bytes (``None`` where it can't be read), its document with the lines of its parts,
-    or the findings that say why there is none."""
+    or the findings that say why there is none; remarks on its text are findings too."""
 
     content: bytes | None = None
     document: Document | None = None
@@ -37,7 +37,7 @@ def read_model_file(path: Path) -> ModelFile:
         data = {"file": str(path), "reason": reason(error)}
         return ModelFile(findings=(Finding("file.unreadable", data=data),))
     document, source = read_document(raw)
-    return ModelFile(raw, document, source, tuple(source.findings) if document is None else ())
+    return ModelFile(raw, document, source, (*source.findings, *source.remarks))
 
 
 def _other_file(path: Path) -> Term:

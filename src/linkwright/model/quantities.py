@@ -12,7 +12,7 @@ from linkwright.expressions import units as u
 from linkwright.expressions.dimensions import DimensionError, Dimensions, Wanted
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import ExpressionError, Node, evaluate
-from linkwright.expressions.synonyms import unit_meant
+from linkwright.expressions.respelled import unit_respelled
 from linkwright.expressions.units import Dimension, UnitError, si_text, unit, unit_text, words_of
 from linkwright.findings import Finding, Term
 from linkwright.model.actions import column_unit
@@ -73,7 +73,7 @@ class Quantities:
             except UnitError:
                 fits = False
             if not fits or (len(words_of(word)) > 1 and base in ("length", "angle", "mass", "time")):
-                data = {"word": word[:40], "base": base, "usual": unit_meant(word) or _USUAL[base]}
+                data = {"word": word[:40], "base": base, "usual": _meant(word, base) or _USUAL[base]}
                 self.findings.append(Finding("units.wrong", ("units", base), data))
                 del declared[base]
         return declared
@@ -171,6 +171,12 @@ _USUAL = {
     "angle": "deg",
     "pressure": "bar",
 }
+
+
+def _meant(word: str, base: str) -> str | None:
+    """The unit of a base quantity that a word stands for elsewhere, if it does for one of that."""
+    meant = unit_respelled(word)
+    return meant if meant is not None and unit(meant)[1].physical == u.BASE_DIMENSIONS[base].physical else None
 
 
 def _collapsed(findings: list[Finding], wrong: set[str]) -> list[Finding]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable
 
-from linkwright.expressions.respelled import WIDE
+from linkwright.expressions.wide import BLANKS, WIDE
 from linkwright.findings import Finding, Term
 
 ROUNDS = 6
@@ -18,18 +18,51 @@ LONGEST = 50_000
 """Longer texts are read once."""
 AROUND = 24
 """So much of a line is shown around what is rewritten."""
+SHOWN = "␣"
+"""How a blank is shown that looks like a space."""
 
 _QUOTED = re.compile(r"\"[^\"]*\"|'[^']*'|(?:^|\s)#.*")
 _COLON = re.compile(r"((?:^|[{,])\s*[^\W\d]\w*):(?=[^\s:/])")
 _EQUALS = re.compile(r"^(\s*[^\W\d]\w*)\s*=\s*(?=[^\s=])")
 
 
+_LIST = re.compile(r"(?<=[:：,，[【])(\s*)（([^（）()]*[,，、；][^（）()]*)）")
+_LIMIT = re.compile(r"(?<=: )([＞＜][＝=]?|[>＞＜<]＝)([^,，}｝\]]*?)(?=\s*(?:[,，}｝\]]|$))")
+_SIGNS = {code: meant for code, meant in WIDE.items() if meant.strip()}
+
+
 def _wide(text: str) -> str:
-    return re.sub("([：，]) *", r"\1 ", text).translate(WIDE)
+    """Half-width characters in place of full-width ones, and what else YAML needs with them: a space behind a colon and
+    before a comment, quotes around a limit, square brackets around a list, nothing behind a value."""
+    text = re.sub("： *", ": ", re.sub(r"\s*＃\s*", "  # ", re.sub(r"\s*[；。]\s*$", "", text)))
+    text = _LIST.sub(r"\1[\2]", _LIMIT.sub(r'"\1\2"', text))
+    return re.sub("[，；、] *", _separator, text).translate(_SIGNS)
+
+
+def _separator(match: re.Match[str]) -> str:
+    """A comma with a space; a decimal point between digits that stand in no list."""
+    sign, before, after = match.group()[0], match.string[: match.start()], match.string[match.end() :]
+    opened = _opened(before)
+    if opened != "[" and before[-1:].isdigit() and after[:1].isdigit():
+        return "." if match.group() == "，" else match.group()
+    return ", " if opened or sign == "，" else match.group()
+
+
+def _opened(text: str) -> str:
+    """The bracket of a list or mapping that is open at the end of a text."""
+    opened = ""
+    for letter in text.translate(_SIGNS):
+        opened = opened + letter if letter in "[{" else opened[:-1] if letter in "]}" else opened
+    return opened[-1:]
+
+
+def _spaced(text: str) -> str:
+    return re.sub(f"[{BLANKS}]", lambda match: match.group().translate(WIDE), text)
 
 
 _RULES: dict[str, Callable[[str], str]] = {
     "file.wide": _wide,
+    "file.blank": _spaced,
     "file.colon": lambda text: _COLON.sub(r"\1: ", text),
     "file.equals": lambda text: _EQUALS.sub(r"\1: ", text),
 }
@@ -49,8 +82,9 @@ def read_respelled(text: str, found: list[Finding], read: Callable[[str], list[F
         if not mended:
             break
         for at in sorted(mended):
-            data = {"given": _changed(lines[at], meant[at]), "hint": Term("write", text=_changed(meant[at], lines[at]))}
-            told.append(Finding(_rewritten(lines[at])[1], (), data, at + 1))
+            given, hint = _changed(lines[at], meant[at]), Term("write", text=_changed(meant[at], lines[at]))
+            shown = re.sub(f"[{BLANKS}]", SHOWN, given)
+            told.append(Finding(_rewritten(lines[at])[1], (), {"given": shown.strip(), "hint": hint}, at + 1))
             lines[at] = meant[at]
         found = again if mended == meant.keys() else read("\n".join(lines))
     return [*told, *found]
@@ -88,4 +122,4 @@ def _changed(line: str, other: str) -> str:
     short = min(len(line), len(other))
     first = next((i for i in range(short) if line[i] != other[i]), short)
     last = next((i for i in range(short - first) if line[-1 - i] != other[-1 - i]), short - first)
-    return line[max(0, first - AROUND) : len(line) - max(0, last - AROUND)].strip()
+    return line[max(0, first - AROUND) : len(line) - max(0, last - AROUND)].strip(" ")

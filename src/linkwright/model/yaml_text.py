@@ -9,9 +9,10 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any
 
+from linkwright.expressions.wide import WIDE
 from linkwright.expressions.written import MAX_TEXT, NO_TEXT
 from linkwright.findings import Finding, Term
-from linkwright.model.encodings import likely_encoding
+from linkwright.model.encodings import decoded, likely_encoding
 
 MAX_BYTES = 1_000_000
 MAX_DEPTH = 24
@@ -23,6 +24,9 @@ Path = tuple[str | int, ...]
 _INT = re.compile(r"[-+]?[0-9]{1,15}")
 _DECIMALS = re.compile(r"[0-9]{1,9}(\s*[^\W\d]\S{0,20})?")
 _FLOAT = re.compile(r"[-+]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]+)?")
+_ROUND = re.compile(r"\([^()]*\)")
+_FREE = (("name",), ("note",), ("source",))
+"""The keys of free texts."""
 _CONSTANTS = {"": None, "~": None, "null": None, "true": True, "false": False}
 _NOT_NUMBERS = {".nan": math.nan, ".inf": math.inf, "+.inf": math.inf, "-.inf": -math.inf}
 
@@ -49,13 +53,14 @@ class Source:
     """What a file holds: its data, the line of each entry, and what is wrong with its text.
 
     ``spoilt`` are the places of which a finding tells already; ``data`` is ``None`` where nothing could be read,
-    ``text`` where it is no text.
+    ``text`` where it is no text. ``remarks`` are warnings and notes, on a text that is read all the same.
     """
 
     data: Any = None
     text: str | None = None
     lines: dict[Path, int] = field(default_factory=dict)
     findings: list[Finding] = field(default_factory=list)
+    remarks: list[Finding] = field(default_factory=list)
     spoilt: set[Path] = field(default_factory=set)
 
     def line(self, path: Path) -> int | None:
@@ -71,13 +76,20 @@ def read_text(raw: bytes) -> Source:
     if len(raw) > MAX_BYTES:
         source.findings.append(Finding("file.too-large", data={"limit": f"{MAX_BYTES:,}"}))
         return source
+    text, bad = "", None
     try:
         text = raw.decode("utf-8-sig")
-        bad = match.start() if (match := NO_TEXT.search(text)) else None
-        line = text.count("\n", 0, bad) + 1 if bad is not None else 0
     except UnicodeDecodeError as error:
-        bad, line = error.start, raw.count(b"\n", 0, error.start) + 1
+        if other := decoded(raw):
+            text = other.text
+            severity = "note" if other.marked else "warning"
+            source.remarks.append(Finding("file.read-as", (), {"encoding": other.encoding}, 1, severity))
+        else:
+            bad, line = error.start, raw.count(b"\n", 0, error.start) + 1
+    if match := NO_TEXT.search(text):
+        bad, line = match.start(), text.count("\n", 0, match.start()) + 1
     if bad is not None:
+        source.remarks.clear()
         encoding = likely_encoding(raw)
         code = "file.binary" if encoding is None else "file.encoding"
         source.findings.append(Finding(code, data={"at": bad, "encoding": encoding}, line=line))
@@ -188,10 +200,18 @@ class _Builder:
             if NO_TEXT.search(event.value):
                 self.note("file.character", line, path)
                 return None
-            return scalar(event.value) if _is_plain(event) else event.value
+            return self.plain(event.value, line, path) if _is_plain(event) else event.value
         if kind == "MappingStartEvent":
             return self.mapping(path, flow=bool(event.flow_style))
         return self.sequence(path, flow=bool(event.flow_style))
+
+    def plain(self, text: str, line: int, path: Path) -> Any:
+        """What a text without quotes stands for; a number in full-width digits is meant in half-width ones."""
+        value = scalar(meant := text.translate(WIDE))
+        if meant == text.replace("−", "-") or not isinstance(value, int | float) or path[-1:] in _FREE:
+            return scalar(text)
+        self.note("file.wide", line, path, given=text[:40], hint=Term("write", text=meant[:40]))
+        return value
 
     def mapping(self, path: Path, flow: bool) -> dict[str, Any]:
         entries: list[_Entry] = []
@@ -245,6 +265,10 @@ class _Builder:
                 self.note("file.decimal-comma", entry.line, (*path, entry.key or len(found)), text=text, meant=given)
                 entry.value, at = scalar(given), at + 2
                 entry.end = after.end
+            elif end > at + 1 and opened <= 0 and _ROUND.fullmatch(parts[0] + parts[-1]):
+                text, place = ", ".join(parts), (*path, entry.key or len(found))
+                self.note("file.brackets", entry.line, place, given=text[:80], meant=f"[{text[1:-1]}]"[:80])
+                entry.value, at = text, end
             elif end > at + 1 and opened <= 0:
                 text = ", ".join(parts)
                 entry.value, at = text, end

@@ -209,6 +209,8 @@ TEXTS: dict[str, str] = {
     "cli.schema": "Print the JSON Schema of model files. Editors complete and check model files with it.",
     "cli.out": "Results folder (default: FILE's name with _linkwright, beside it).",
     "cli.force_folder": "Overwrite files that linkwright didn't write, or that were changed since.",
+    "cli.dashes": "'{given}' begins with a dash or a full-width hyphen; an option begins with two hyphens: {meant}",
+    "cli.excel": "Begin CSV files with the UTF-8 mark (BOM), so that Excel shows Chinese names correctly.",
     "cli.csv_comments": "Begin CSV files with comments (#): model file, its hash, date, version.",
     "cli.lang": "Language of texts, reports and messages (default: the system's).",
     "cli.version": "Show the version and exit.",

@@ -209,6 +209,8 @@ TEXTS: dict[str, str] = {
     "cli.schema": "输出模型文件的 JSON Schema。编辑器可据此补全和检查模型文件。",
     "cli.out": "结果文件夹（默认：与 FILE 同处，名称为其文件名加 _linkwright）。",
     "cli.force_folder": "覆盖并非由 linkwright 写入或之后被修改过的文件。",
+    "cli.dashes": "“{given}”以破折号或全角连字符开头；选项应以两个半角连字符开头：{meant}",
+    "cli.excel": "在 CSV 文件开头写入 UTF-8 标记（BOM），使 Excel 正确显示中文名称。",
     "cli.csv_comments": "在 CSV 文件开头写入注释（#）：模型文件、其哈希值、日期、版本。",
     "cli.lang": "文本、报告和消息的语言（默认为系统语言）。",
     "cli.version": "显示版本并退出。",

@@ -43,9 +43,22 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "The file isn't valid UTF-8 (byte {at}); it looks like {encoding}.",
         "Save it as UTF-8: in Notepad and most editors under 'Save as', 'Encoding'.",
     ),
+    "file.read-as": (
+        "The file isn't UTF-8; it is read as {encoding}.",
+        "Save it as UTF-8: in Notepad and most editors under 'Save as', 'Encoding'. If names look wrong in the results, "
+        "the file has another encoding.",
+    ),
     "file.wide": (
         "The file has full-width characters where half-width ones are needed: {given}",
         "{hint}",
+    ),
+    "file.blank": (
+        "The line has full-width or non-breaking spaces, shown as ␣: {given}",
+        "{hint}",
+    ),
+    "file.brackets": (
+        "A list is written in square brackets: {given}",
+        "Write {meant}.",
     ),
     "file.colon": (
         "A space is missing after the colon: {given}",

@@ -29,6 +29,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "The file {file} isn't valid UTF-8 text: byte {at} (line {line}) isn't allowed.",
         "Save it as a CSV file in UTF-8, not in UTF-16, GBK or a spreadsheet format.",
     ),
+    "table.encoding": (
+        "The file {file} isn't valid UTF-8 (byte {at}, line {line}); it looks like {encoding}.",
+        "Save it as UTF-8: in a spreadsheet under 'Save as', 'CSV UTF-8'.",
+    ),
     "table.bad-line": (
         "The file {file} can't be read as CSV at line {line}: {reason}.",
         "Check this line and those above for an unmatched quotation mark.",

@@ -55,6 +55,7 @@ TERMS: dict[str, str] = {
     "signal-forms": "Write POINT.x, LINK.angle, JOINT.s, DRIVE.torque, force(LINK, LINK).x, com(LINK).x or "
     "pole(LINK, LINK).x; see docs/file-format.md.",
     "near-one": "Did you mean '{names}'?",
+    "near-wide": "Did you mean '{names}'? One of the two has full-width letters; write both alike.",
     "near-some": "Did you mean one of these: {names}?",
     "near-one-of": "Did you mean '{names}'? All of them: {known}.",
     "near-some-of": "Did you mean one of these: {names}? All of them: {known}.",
@@ -189,6 +190,13 @@ TERMS: dict[str, str] = {
     "respelled-comma": "numbers have a decimal point, not a comma",
     "respelled-speed": "rotational speeds are written in rpm or r/s",
     "respelled-unit": "units are written by their short names",
+    "respelled-multiple": "this unit isn't supported",
+    "respelled-inverse": "units have positive powers; a quotient is written with /",
+    "respelled-pi": "a unit follows a number",
+    "respelled-degrees": "minutes and seconds of an angle are written as a sum",
+    "respelled-diameter": "a dimension is a number without the sign for a diameter",
+    "respelled-range": "one value is expected, not a range",
+    "respelled-mark": "a unit is written by its name, not by a mark",
     "respelled-dot": "a dot is missing between an element and its signal",
     "respelled-sense": "the sign gives the direction of rotation; counter-clockwise is positive",
     "respelled-factor": "a * is missing between factors",
@@ -206,5 +214,6 @@ TERMS: dict[str, str] = {
     "of a link without the link.",
     "write-bare": "Write {text}.",
     "write": "Write '{text}'.",
+    "write-choice": "Write '{text}' or '{other}', whichever is meant.",
     "write-either": "Write '{text}', or '{other}' if the comma separates thousands.",
 }

@@ -29,6 +29,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "文件 {file} 不是有效的 UTF-8 文本：第 {at} 字节（第 {line} 行）无效。",
         "将其存为 UTF-8 编码的 CSV 文件，不使用 UTF-16、GBK 或电子表格格式。",
     ),
+    "table.encoding": (
+        "文件 {file} 不是有效的 UTF-8 文本（第 {at} 字节，第 {line} 行）；其编码可能是 {encoding}。",
+        "将其存为 UTF-8 编码：在电子表格软件中，“另存为”选择“CSV UTF-8”。",
+    ),
     "table.bad-line": (
         "文件 {file} 的第 {line} 行不符合 CSV 格式：{reason}。",
         "检查该行及其上方各行是否有不成对的引号。",

@@ -55,6 +55,7 @@ TERMS: dict[str, str] = {
     "signal-forms": "可用形式：POINT.x、LINK.angle、JOINT.s、DRIVE.torque、force(LINK, LINK).x、com(LINK).x 或 "
     "pole(LINK, LINK).x；见 docs/file-format.md。",
     "near-one": "是否指“{names}”？",
+    "near-wide": "是否指“{names}”？两者之一含有全角字母；将两处写法统一。",
     "near-some": "是否指以下之一：{names}？",
     "near-one-of": "是否指“{names}”？全部可用名称：{known}。",
     "near-some-of": "是否指以下之一：{names}？全部可用名称：{known}。",
@@ -189,6 +190,13 @@ TERMS: dict[str, str] = {
     "respelled-comma": "小数点应为“.”，不能用逗号",
     "respelled-speed": "转速的单位应写作 rpm 或 r/s",
     "respelled-unit": "单位应使用缩写",
+    "respelled-multiple": "不支持其中的单位",
+    "respelled-inverse": "单位的幂次须为正，相除写作 /",
+    "respelled-pi": "单位应写在数之后",
+    "respelled-degrees": "角度的分和秒应写作求和",
+    "respelled-diameter": "尺寸只写数值，不带直径符号",
+    "respelled-range": "此处应为单个数值，不能是范围",
+    "respelled-mark": "单位应写名称，不用撇号",
     "respelled-dot": "元素与其信号之间缺少点号",
     "respelled-sense": "转动方向由正负号表示，逆时针为正",
     "respelled-factor": "因子之间缺少 *",
@@ -205,5 +213,6 @@ TERMS: dict[str, str] = {
     "name-form": "使用汉字、字母、数字和下划线（不超过 {limit} 个字符），且不以数字开头；构件上的点只写点名，不写构件名。",
     "write-bare": "改写为 {text}。",
     "write": "改写为“{text}”。",
+    "write-choice": "按实际含义改写为“{text}”或“{other}”。",
     "write-either": "改写为“{text}”；若逗号是千位分隔符，则改写为“{other}”。",
 }
