@@ -53,19 +53,39 @@ Text = str | Said
 """What is shown: a name or number as it is, or a text of the catalogue."""
 
 
-class Joined(Said):
-    """Texts one after another, such as the names of a list; or what else becomes a text."""
+LIST = Term("list-separator")
+"""Stands between the items of a list."""
+CLAUSES = Term("clause-separator")
+"""Stands between the clauses of a sentence."""
+SENTENCES = Term("sentence-separator")
+"""Stands between sentences."""
 
-    def __init__(self, parts: Iterable[object], between: str = ", ") -> None:
-        super().__init__(between, parts=tuple(parts))
+
+class Joined(Said):
+    """Texts one after another, such as the names of a list, with another text between them. Without any it is false."""
+
+    def __init__(self, parts: Iterable[object], between: Text = LIST) -> None:
+        super().__init__("joined", parts=tuple(parts), between=between)
 
     def __str__(self) -> str:
-        return self.key.join(map(str, self.data["parts"]))
+        parts = (part if isinstance(part, Said) else line(str(part)) for part in self.parts)
+        return str(self.data["between"]).join(map(str, parts))
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}{self.parts}"
+
+    def __bool__(self) -> bool:
+        return bool(self.parts)
+
+    @property
+    def parts(self) -> tuple[object, ...]:
+        """The texts, without what stands between them."""
+        return self.data["parts"]  # type: ignore[no-any-return]
 
 
 def enumerated(names: Sequence[str]) -> Text:
     """Names of a sentence, as in *a, b and c*."""
-    return Term("and", first=", ".join(names[:-1]), last=names[-1]) if len(names) > 1 else names[0]
+    return Term("and", first=Joined(names[:-1]), last=names[-1]) if len(names) > 1 else names[0]
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ from linkwright.cli import terminal
 from linkwright.cli.consoles import err, out
 from linkwright.cli.progress import ProgressBar
 from linkwright.escape import json_text, line
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined
 from linkwright.report.structure_summary import facts
 from linkwright.studies.registry import STUDIES
 from linkwright.words import in_language, say
@@ -163,7 +163,7 @@ def bench(done: Bench | None) -> None:
         table.add_row(name, *numbers)
     out.print(table)
     if done.missing:
-        out.print(say("cli.bench.missing", names=", ".join(done.missing)))
+        out.print(say("cli.bench.missing", names=Joined(done.missing)))
 
 
 def gallery() -> None:

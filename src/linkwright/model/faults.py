@@ -10,7 +10,7 @@ from typing import Any
 
 from linkwright.expressions.unknown import likeliest, near
 from linkwright.expressions.written import describe
-from linkwright.findings import Finding, Term
+from linkwright.findings import Finding, Joined, Term
 from linkwright.model.absent import SAYS_KIND, absent
 from linkwright.model.known_keys import keys_at
 from linkwright.model.yaml_text import MAX_FINDINGS, Path, Source
@@ -121,7 +121,7 @@ def finding_of(fault: Any, data: Any, owner: Any, place: Path = ()) -> Finding |
         context = dict(fault["ctx"])
         return Finding(context.pop("code"), (*place, *path), context)
     if kind == "missing":
-        keys = ", ".join(keys_at(owner, path, data))
+        keys = Joined(keys_at(owner, path, data))
         return Finding("file.missing", (*place, *path), {"name": str(fault["loc"][-1]), "known": keys})
     if kind == "extra_forbidden":
         name, known = str(path[-1]), keys_at(owner, path[:-1], data)

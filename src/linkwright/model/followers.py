@@ -7,7 +7,7 @@ from typing import Any
 
 from linkwright.elements.follower import FOLLOWERS, Follower
 from linkwright.expressions.typed_fields import Context, Path
-from linkwright.findings import Finding, Term
+from linkwright.findings import Finding, Joined, Term
 from linkwright.model.mechanism import FOLLOWING, Mechanism
 from linkwright.model.pins import Pin, pins
 from linkwright.model.references import reference_faults
@@ -40,7 +40,7 @@ def with_followers(m: Mechanism) -> tuple[Mechanism, list[Finding]]:
 
 def no_followers(m: Mechanism, study: str) -> Finding:
     """That a study moves each drive on its own, which a mechanism with followers doesn't let it."""
-    return Finding("study.cams", m.path_of(next(iter(m.followers))), {"study": study, "names": ", ".join(m.followers)})
+    return Finding("study.cams", m.path_of(next(iter(m.followers))), {"study": study, "names": Joined(m.followers)})
 
 
 def _read(

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined
 from linkwright.groups import REGISTRY
 from linkwright.model.mechanism import Mechanism
 from linkwright.structure.placed import PlacedLinks
@@ -55,7 +55,7 @@ class _GroupSearch(PlacedLinks):
                     kind = "revolute" if drive.turns else "prismatic"
                     self.note("structure.drive-no-joint", path, link=drive.link, on=drive.on, joint=kind)
                 elif len(options) > 1:
-                    joints = ", ".join(c.joint for c in options)
+                    joints = Joined(c.joint for c in options)
                     data = {"link": drive.link, "on": drive.on, "joints": joints}
                     self.note("structure.drive-two-joints", path, **data)
                 else:

@@ -21,7 +21,7 @@ from linkwright.expressions.fields import Expression, Frozen, FrozenDict
 from linkwright.expressions.fields import Name as NameField
 from linkwright.expressions.typed_fields import Context, Quantity, of_drive
 from linkwright.expressions.unknown import unknown
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined
 from linkwright.kernels import Compiled
 from linkwright.studies.limits.study import WIDEST
 from linkwright.studies.numbers import constant, interval
@@ -134,7 +134,7 @@ def check(compiled: Compiled, options: ProcessSimulateOptions) -> Iterator[Findi
     if len(told) > MOST:
         yield Finding("functions.too-many", PATH, {"count": len(told), "limit": MOST})
     if len(drives) != 1:
-        yield Finding("functions.drives", ("drives",), {"count": len(drives), "names": ", ".join(drives)})
+        yield Finding("functions.drives", ("drives",), {"count": len(drives), "names": Joined(drives)})
         return
     moved = _moved(compiled, drives[0], joints) if options.master is None else options.named_master(joints)
     if moved is None and options.master is not None:

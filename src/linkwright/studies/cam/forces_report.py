@@ -9,7 +9,7 @@ from numpy import float64
 from numpy.typing import NDArray
 
 from linkwright.expressions import units as u
-from linkwright.findings import Said, Text
+from linkwright.findings import Joined, Said, Text
 from linkwright.presentation.blocks import Chart
 from linkwright.presentation.cells import NumberCell
 from linkwright.studies.cam.charts import over
@@ -61,7 +61,7 @@ def force_sentences(outcome: CamOutcome) -> Iterator[Text]:
         key = "sized" if None in (done.asked.rate, done.asked.preload) else "spring"
         yield Said(f"cam.sentence.{key}", rate=told(done.loads.rate, rate), preload=told(done.loads.preload, load))
     if done.asked.second is not None:
-        places = ", ".join(told(place, u.ANGLE) for place in done.forces.reversals)
+        places = Joined(told(place, u.ANGLE) for place in done.forces.reversals)
         if done.apart:
             force = figures["second_contact_force_max"].value
             alone = "apart-other" if force > 0 else "apart-one"

@@ -1,6 +1,12 @@
 """Words of the command line, the summary and the structure."""
 
 TEXTS: dict[str, str] = {
+    # What stands between texts, and binds two.
+    "term.list-separator": "、",
+    "term.clause-separator": "；",
+    "term.sentence-separator": "",
+    "term.colon": "{first}：{then}",
+    "term.with-unit": "{name}（{unit}）",
     # Structure, for `check` and the report.
     "fact.links": "构件",
     "fact.links.text": "活动构件 {moving} 个（{names}），另有机架",
