@@ -88,6 +88,12 @@ def enumerated(names: Sequence[str]) -> Text:
     return Term("and", first=Joined(names[:-1]), last=names[-1]) if len(names) > 1 else names[0]
 
 
+def alternatives(choices: Sequence[str]) -> Text:
+    """Texts of which one is to be written."""
+    quoted = [Term("quoted", text=choice) for choice in choices]
+    return Term("or", first=Joined(quoted[:-1]), last=quoted[-1]) if len(quoted) > 1 else quoted[0]
+
+
 @dataclass(frozen=True)
 class Finding:
     """One fault (or note): its code, the place in the file, the element, and the data of its sentence.
@@ -136,9 +142,10 @@ class Finding:
         }
 
     def __str__(self) -> str:
-        where = f"line {self.line}: " if self.line else ""
-        element = f"{self.element}: " if self.path else ""
-        return f"{where}{element}{self.what} [{self.code}] -> {self.mend}"
+        what: Text = self.said("what")
+        for place in (self.element if self.path else "", Term("drawn-line", at=self.line) if self.line else ""):
+            what = Term("colon", first=place, then=what) if place else what
+        return f"{what} [{self.code}] -> {self.mend}"
 
 
 class ModelError(Exception):

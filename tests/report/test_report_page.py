@@ -13,9 +13,9 @@ import numpy as np
 import pytest
 
 from linkwright.presentation.blocks import Checks, Measures, Section
+from linkwright.presentation.payload import script_json
 from linkwright.report import ReportData, compact, page
 from linkwright.report.page import SCRIPT_WORDS
-from linkwright.presentation.payload import script_json
 from linkwright.words import catalogue
 from linkwright.words.en.report import TEXTS
 

@@ -19,7 +19,7 @@ from linkwright.cli import terminal
 from linkwright.cli.consoles import err, out
 from linkwright.cli.progress import ProgressBar
 from linkwright.escape import json_text, line
-from linkwright.findings import Finding, Joined
+from linkwright.findings import Finding, Joined, Term
 from linkwright.report.structure_summary import facts
 from linkwright.studies.registry import STUDIES
 from linkwright.words import in_language, say
@@ -70,9 +70,9 @@ def findings(examined: Examined, file: Path) -> None:
 def finding(item: Finding, file: Path | None = None) -> None:
     """One finding: place, element, what, mend."""
     place = f"{line(str(file))}:{item.line}: " if file and item.line else f"{line(str(file))}: " if file else ""
-    element = f"{item.element}: " if item.element else ""
-    style = _STYLES[item.severity]
-    err.print(f"{escape(place)}[{style}]{item.severity}[/] {escape(element + item.what)} [dim]\\[{item.code}][/]")
+    what = str(Term("colon", first=item.element, then=item.what) if item.element else item.what)
+    style, severity = _STYLES[item.severity], say(f"cli.severity.{item.severity}")
+    err.print(f"{escape(place)}[{style}]{severity}[/] {escape(what)} [dim]\\[{item.code}][/]")
     err.print(f"    {escape(item.mend)}")
 
 

@@ -71,5 +71,7 @@ def _unlawful(m: Mechanism, path: Path, made: Follower) -> Iterator[Finding]:
     for key, name in made.laws.items():
         law = m.laws.get(name)
         if law is not None and (law.over, law.of) != (over, value):
-            given = f"over: {law.over}, of: {law.of}"
-            yield Finding("joint.follower-law", (*path, key), {"law": name, "over": over, "of": value, "given": given})
+            given = Joined([f"over: {law.over}", f"of: {law.of}"])
+            data = {"law": name, "over": over, "of": value, "given": given}
+            terms = {"argument": Term(f"dimension-{over}"), "value": Term(f"dimension-{value}")}
+            yield Finding("joint.follower-law", (*path, key), data | terms)

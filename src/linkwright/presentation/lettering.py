@@ -14,7 +14,9 @@ FONT = (
 """The fonts of pictures, as CSS has them: those of Latin letters, then those of hanzi."""
 _WIDE = "\u2e80-\u9fff\uf900-\ufaff\uff00-\uffef"
 _CLOSING = "，。；：、）”！？》"
-_PART = re.compile(f"[“（《]*[{_WIDE}][{_CLOSING}]*|[^\\s{_WIDE}]+[{_CLOSING}]*|\\s+")
+_PART = re.compile(f"[“（《]*(?:[{_WIDE}]|[^\\s{_WIDE}]+)[{_CLOSING}]*|\\s+")
+_GAP = re.compile(r"(?<=[，。；：、）！？》])\s+")
+"""What isn't written after a full-width sign."""
 
 
 def columns(text: str) -> int:
@@ -25,9 +27,24 @@ def columns(text: str) -> int:
 def folded(text: str, room: int) -> Iterator[str]:
     """A text in lines of at most ``room`` columns, but for words that are longer."""
     row = ""
-    for part in _PART.findall(" ".join(text.split())):
+    for part in _PART.findall(_GAP.sub("", " ".join(text.split()))):
         if row and columns(row + part.rstrip()) > room:
             yield row.rstrip()
             row = ""
         row += part if row else part.lstrip()
     yield row.rstrip()
+
+
+def breaks(text: str, room: int) -> list[int]:
+    """Where a text of one line is broken so that each line takes at most ``room`` columns, but for longer words."""
+    found, start = [], 0
+    for part in _PART.finditer(text):
+        if part.start() > start and columns(text[start : part.end()].rstrip()) > room:
+            start = part.start()
+            found.append(start)
+    return found
+
+
+def widest(text: str) -> int:
+    """How many columns the widest part of a text takes that isn't broken."""
+    return max((columns(part.strip()) for part in _PART.findall(text)), default=0)

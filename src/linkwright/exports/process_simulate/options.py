@@ -161,7 +161,7 @@ def _names(joints: list[ToolJoint]) -> Iterator[Finding]:
         if not ALLOWED.fullmatch(j.name):
             yield Finding("functions.name", (*PATH, "names"), {"joint": j.joint, "name": j.name[:60]})
         if j.name in first:
-            data = {"name": j.name[:60], "joints": f"{first[j.name]}, {j.joint}"}
+            data = {"name": j.name[:60], "joints": Joined([first[j.name], j.joint])}
             yield Finding("functions.same-name", (*PATH, "names"), data)
         first.setdefault(j.name, j.joint)
 

@@ -28,7 +28,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "加大轮毂，或减小轴孔；二者均以半径给出。",
     ),
     "cam.groove-blank": (
-        "只有沟槽凸轮才单独给出毛坯盘的半径；该凸轮的封闭方式为 {closed}。",
+        "只有沟槽凸轮才单独给出毛坯盘的半径；该凸轮的封闭方式为 closed: {closed}。",
         "当 closed: groove 时，给出 radius（毛坯盘半径）和 groove（槽深）；否则删除这两项。",
     ),
     "cam.groove-deep": (

@@ -62,7 +62,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "将 motor 改为其他驱动，或为 {motor} 给出自身的运动规律。",
     ),
     "joint.follower-law": (
-        "运动规律 {law} 必须以驱动的 {over} 为自变量，以从动件的 {of} 为因变量；现为 {given}。",
+        "运动规律 {law} 必须以驱动的{argument}为自变量，以从动件的{value}为因变量；现为 {given}。",
         "在该运动规律中写 over: {over} 和 of: {of}，或指定其他运动规律。",
     ),
     "export.unproven": (

@@ -2,7 +2,7 @@
 
 PROBLEMS: dict[str, tuple[str, str]] = {
     "structure.drive-no-joint": (
-        "{link} 与 {on} 之间没有所需类型的运动副（{joint}），驱动无法作用于二者之间。",
+        "{link} 与 {on} 之间没有{joint}，驱动无法作用于二者之间。",
         "指定由铰链连接（turns）或沿直线连接（slides）的两个构件。",
     ),
     "structure.drive-two-joints": (
