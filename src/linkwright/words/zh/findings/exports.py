@@ -67,7 +67,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "export.unproven": (
         "验证未通过：{name} 的导出结果与模型的偏差为 {error} {unit}，因此未写入。",
-        "检查是否有接近奇异的运动规律或位姿；否则将其作为 linkwright 的程序缺陷报告。",
+        "检查是否有接近奇异的运动规律或位姿；否则将其作为 linkwright 的缺陷报告。",
     ),
     "export.left-out": (
         "MuJoCo 文件中不包含 {names}。",

@@ -7,7 +7,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "tolerance.class-or-parameter": (
         "{name} 既是公差等级，又是文件中的参数。",
-        "将该参数改名；若指该参数，写 ({name})。",
+        "将该参数改名；若指该参数，写“({name})”。",
     ),
     "tolerance.distribution": (
         "“{given}”不是公差的分布类型。",
