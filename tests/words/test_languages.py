@@ -138,3 +138,74 @@ def test_all_texts_are_translated() -> None:
     letters = re.compile(r"[a-z]{3}")
     same = {key for key, text in CHINESE.items() if text == ENGLISH[key] and letters.search(plain(text))}
     assert same == set()
+
+
+# The glossary.
+
+TERMS = (
+    "allocation", "assembly mode", "Assur group", "base circle", "boundary", "branch", "calibration", "change point",
+    "circuit", "clearance", "closure error", "concave", "confidence interval", "contact force", "contributor",
+    "counterweight", "coupler", "cylinder", "dead centre", "degree of freedom", "deviation", "drive force",
+    "drive torque", "dyad", "excess material", "follower", "gouge", "instant centre", "jerk", "joint function",
+    "kernel", "margin to singularity", "mobility", "Monte Carlo", "over-constrained", "pitch curve", "preload",
+    "pressure angle", "prismatic joint", "problem", "requirement", "residual", "revolute joint", "RSS",
+    "shaking force", "singular position", "stroke", "sweep", "swing", "time ratio", "tolerance",
+    "transfer coefficient", "transmission angle", "under-constrained", "undercut", "verification", "working point",
+    "worst case", "yield",
+)  # fmt: skip
+"""Terms of the glossary that have one Chinese term wherever they stand."""
+
+EXCEPTIONS = {
+    "cam.no-figure.mend": "follower",  # form-closed is said of the cam
+    "joint.lifts-off.mend": "preload",  # to preload
+}
+"""Texts that say one of them in another way."""
+
+
+def glossary() -> dict[str, list[str]]:
+    """The Chinese terms by their English ones."""
+    rows = re.findall(r"^\| ([^|]+) \| ([^|]+) \|", GLOSSARY.read_text(encoding="utf-8"), re.MULTILINE)
+    made = {}
+    for terms, chinese in rows[1:]:
+        for term in re.sub(r" \([^)]*\)", "", terms).split(", "):
+            made[term] = [one for one in re.split("[、（）]", chinese) if one]
+    return made
+
+
+MEANT = glossary()
+
+
+def named(term: str) -> re.Pattern[str]:
+    """A term as texts have it: of one, of many."""
+    many = (re.sub("y$", "(?:y|ies)", re.escape(word)) + "(?:s|es)?" for word in term.split())
+    return re.compile(rf"(?<![\w'.-]){' '.join(many)}(?![\w-])", re.IGNORECASE)
+
+
+def otherwise(text: str, chinese: str) -> list[str]:
+    """The terms of an English text that its Chinese one has in other words."""
+    words = re.sub(r"(?<!\w)'[^']*'(?!\w)|{{.*}}|{[^}]*}|(?i:standard deviations?)", "#", text)
+    return [term for term in TERMS if named(term).search(words) and not any(one in chinese for one in MEANT[term])]
+
+
+@pytest.mark.parametrize("key", sorted(ENGLISH))
+def test_chinese_texts_have_the_terms_of_the_glossary(key: str) -> None:
+    assert [term for term in otherwise(ENGLISH[key], CHINESE[key]) if term != EXCEPTIONS.get(key)] == []
+
+
+def test_all_terms_are_in_the_glossary_and_in_texts() -> None:
+    texts = "\n".join(ENGLISH.values())
+    assert [term for term in TERMS if term not in MEANT or not named(term).search(texts)] == []
+    assert len(TERMS) >= 40
+
+
+def test_exceptions_are_there() -> None:
+    assert {key: [term] for key, term in EXCEPTIONS.items()} == {
+        key: otherwise(ENGLISH[key], CHINESE[key]) for key in EXCEPTIONS
+    }
+
+
+def test_other_terms_are_seen() -> None:
+    assert otherwise("Two dead centres of {drive}.", "{drive} 的两个止点。") == ["dead centre"]
+    assert otherwise("The boundaries of 'boundary: {boundary}'.", "轮廓线。") == ["boundary"]
+    assert otherwise("Dead centres.", "死点。") == otherwise("A standard deviation.", "标准差。") == []
+    assert MEANT["transfer coefficient"] == ["灵敏度", "传递系数"]

@@ -2,7 +2,7 @@
 
 TEXTS: dict[str, str] = {
     "cam.sentence": "{name} 的实际廓线由 {elements} 段圆弧和直线组成，与精确廓线的偏差不超过 {tolerance}。",
-    "cam.sentence-second": "副凸轮的实际廓线由 {elements} 段圆弧和直线组成，偏差限值相同。",
+    "cam.sentence-second": "副凸轮的实际廓线由 {elements} 段圆弧和直线组成，公差相同。",
     "cam.sentence.none-second": "{name} 的副凸轮没有实际廓线。",
     "cam.sentence.none": "{name} 没有实际廓线。",
     "cam.sentence.base": "在给定范围内，满足全部限值的最小基圆半径为 {base} {unit}。",
