@@ -11,6 +11,7 @@ from string import Formatter
 
 import pytest
 
+from linkwright import gallery
 from linkwright.words import LANGUAGES, catalogue, modules
 
 GLOSSARY = Path(__file__).parents[2] / "docs" / "glossary.md"
@@ -34,10 +35,11 @@ CODE = (
     "最小 .. 最大",
     "left of B-D",
     "pip install linkwright[fast]",
+    "Tecnomatix Process Simulate",
     "d({point}.x, {point}.y)/d({drives})",
     "d(x, y)/d(drives)",
 )
-"""Parts of files, commands and formulas: their punctuation and words are their own."""
+"""Parts of files, commands, formulas, names: their punctuation and words are their own."""
 
 
 # What the languages have in common.
@@ -68,6 +70,12 @@ def test_texts_ask_for_the_same_data(key: str) -> None:
 def test_other_data_are_seen() -> None:
     assert data("{a} {b:.6g} {{c}}") == data("{{d}} {b:.6g}，{a}")
     assert len({frozenset(data(text)) for text in ("{a}", "{b}", "{a!r}", "{a:.6g}", "{{a}}")}) == 5
+
+
+def test_models_of_the_gallery_are_called_as_their_files_begin() -> None:
+    assert {key: text for key, text in ENGLISH.items() if key in {f"gallery.{name}" for name in gallery.names()}} == {
+        f"gallery.{name}": gallery.title(name) for name in gallery.names()
+    }
 
 
 # Chinese texts.
@@ -158,6 +166,8 @@ TERMS = (
 EXCEPTIONS = {
     "cam.no-figure.mend": "follower",  # form-closed is said of the cam
     "joint.lifts-off.mend": "preload",  # to preload
+    "gallery.crank-rocker": "swing",  # a motion to and fro
+    "gallery.wiper": "swing",
 }
 """Texts that say one of them in another way."""
 

@@ -168,11 +168,11 @@ def bench(done: Bench | None) -> None:
 
 def gallery() -> None:
     """The models of the gallery, a line each."""
-    from linkwright.gallery import names, title
+    from linkwright.gallery import names
 
     width = max(map(len, names()))
     for name in names():
-        out.print(escape(f"{name:{width}s}  {title(name)}"))
+        out.print(escape(f"{name:{width}s}  {say(f'gallery.{name}')}"))
 
 
 def refusals(findings: list[Finding]) -> None:
