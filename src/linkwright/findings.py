@@ -53,19 +53,45 @@ Text = str | Said
 """What is shown: a name or number as it is, or a text of the catalogue."""
 
 
-class Joined(Said):
-    """Texts one after another, such as the names of a list; or what else becomes a text."""
+LIST = Term("list-separator")
+"""Stands between the items of a list."""
+CLAUSES = Term("clause-separator")
+"""Stands between the clauses of a sentence."""
+SENTENCES = Term("sentence-separator")
+"""Stands between sentences."""
 
-    def __init__(self, parts: Iterable[object], between: str = ", ") -> None:
-        super().__init__(between, parts=tuple(parts))
+
+class Joined(Said):
+    """Texts one after another, such as the names of a list, with another text between them. Without any it is false."""
+
+    def __init__(self, parts: Iterable[object], between: Text = LIST) -> None:
+        super().__init__("joined", parts=tuple(parts), between=between)
 
     def __str__(self) -> str:
-        return self.key.join(map(str, self.data["parts"]))
+        parts = (part if isinstance(part, Said) else line(str(part)) for part in self.parts)
+        return str(self.data["between"]).join(map(str, parts))
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}{self.parts}"
+
+    def __bool__(self) -> bool:
+        return bool(self.parts)
+
+    @property
+    def parts(self) -> tuple[object, ...]:
+        """The texts, without what stands between them."""
+        return self.data["parts"]  # type: ignore[no-any-return]
 
 
 def enumerated(names: Sequence[str]) -> Text:
     """Names of a sentence, as in *a, b and c*."""
-    return Term("and", first=", ".join(names[:-1]), last=names[-1]) if len(names) > 1 else names[0]
+    return Term("and", first=Joined(names[:-1]), last=names[-1]) if len(names) > 1 else names[0]
+
+
+def alternatives(choices: Sequence[str]) -> Text:
+    """Texts of which one is to be written."""
+    quoted = [Term("quoted", text=choice) for choice in choices]
+    return Term("or", first=Joined(quoted[:-1]), last=quoted[-1]) if len(quoted) > 1 else quoted[0]
 
 
 @dataclass(frozen=True)
@@ -116,9 +142,10 @@ class Finding:
         }
 
     def __str__(self) -> str:
-        where = f"line {self.line}: " if self.line else ""
-        element = f"{self.element}: " if self.path else ""
-        return f"{where}{element}{self.what} [{self.code}] -> {self.mend}"
+        what: Text = self.said("what")
+        for place in (self.element if self.path else "", Term("drawn-line", at=self.line) if self.line else ""):
+            what = Term("colon", first=place, then=what) if place else what
+        return f"{what} [{self.code}] -> {self.mend}"
 
 
 class ModelError(Exception):

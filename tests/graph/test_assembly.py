@@ -146,7 +146,7 @@ def test_groups_of_one_mode_want_no_rule() -> None:
 def test_a_mode_that_is_not_stated_is_asked_for_with_the_ways_to_state_it() -> None:
     finding = only(four_bar(assembly={}))
     assert finding.code == "assembly.missing"
-    assert finding.data["links"] == "coupler, rocker"
+    assert str(finding.data["links"]) == "coupler, rocker"
     assert "C: left of B-D" in finding.data["options"]
     assert "C: right of B-D" in finding.data["options"]
 

@@ -88,7 +88,7 @@ def test_too_few_drives() -> None:
     del data["links"]["frame"]["points"]["D"]
     finding = only(data)
     assert (finding.code, finding.data["freedom"]) == ("structure.loose", 1)
-    assert set(finding.data["links"].split(", ")) == {"coupler", "rocker", "crank2"}
+    assert set(str(finding.data["links"]).split(", ")) == {"coupler", "rocker", "crank2"}
 
 
 def test_a_drive_too_many_leaves_a_link_with_no_freedom() -> None:
@@ -138,7 +138,7 @@ def test_a_drive_that_could_act_at_two_joints() -> None:
     data["links"]["crank"]["points"]["D"] = [4, 0]
     finding = only(data)
     assert (finding.code, finding.element) == ("structure.drive-two-joints", "drives.motor")
-    assert finding.data["joints"] == "A, D"
+    assert str(finding.data["joints"]) == "A, D"
 
 
 COUPLER_DRIVE = {"motor": {"turns": "coupler", "on": "crank", "speed": 1, "start": 0}}
@@ -190,7 +190,7 @@ def test_two_joints_between_the_same_links(second: str) -> None:
     finding = only(data)
     assert finding.code == "structure.overconstrained"
     assert finding.data["excess"] == 1
-    assert finding.data["links"] == "piston"
+    assert str(finding.data["links"]) == "piston"
 
 
 @pytest.mark.parametrize("base", ["frame", "crank"])
@@ -209,7 +209,7 @@ def test_a_joint_between_links_that_others_have_placed() -> None:
     data["links"]["rocker"]["points"]["X"] = [3, 1]
     finding = only(data)
     assert (finding.code, finding.element) == ("structure.redundant", "joints.X")
-    assert set(finding.data["links"].split(", ")) == {"coupler", "rocker"}
+    assert set(str(finding.data["links"]).split(", ")) == {"coupler", "rocker"}
 
 
 def test_three_slides_in_a_loop_move() -> None:
@@ -253,7 +253,7 @@ def test_slides_that_can_only_be_placed_all_at_once_are_named() -> None:
     }
     finding = only(data)
     assert finding.code == "structure.loop-of-slides"
-    assert set(finding.data["links"].split(", ")) == {"b", "c", "d"}
+    assert set(str(finding.data["links"]).split(", ")) == {"b", "c", "d"}
 
 
 def test_a_loose_end_on_an_overconstrained_link_is_not_a_higher_group() -> None:

@@ -23,7 +23,7 @@ from linkwright.expressions.units import UnitError, unit
 from linkwright.expressions.unknown import near
 from linkwright.findings import Finding, ModelError, capped
 from linkwright.model import csv_text
-from linkwright.model.csv_file import CsvFile, finite, read_csv
+from linkwright.model.csv_file import CsvFile, finite, listed, read_csv
 from linkwright.model.document import Document, read_document, replaced
 from linkwright.model.input_files import read_at_most
 from linkwright.model.origin import Origin, hashed
@@ -112,7 +112,7 @@ class Batch:
     def rows(self) -> Iterator[tuple[int, str, str, list[str]]]:
         """Line, name, model and cells of the rows; what is wrong with their form is noted."""
         if NAME not in self.table.heads:
-            self.note("batch.no-name", (), 1, known=", ".join(self.table.heads)[:100])
+            self.note("batch.no-name", (), 1, known=listed(self.table.heads))
             return
         at = self.table.column(NAME)
         based = [self.table.column(MODEL)] if MODEL in self.table.heads else []

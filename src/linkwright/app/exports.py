@@ -12,7 +12,7 @@ from linkwright.app.results_folder import ResultsFolder, outdate
 from linkwright.app.single_study import examine_one
 from linkwright.exports import TARGETS, Exported
 from linkwright.expressions.unknown import near
-from linkwright.findings import Finding, ModelError, raise_errors
+from linkwright.findings import Finding, Joined, ModelError, raise_errors
 from linkwright.model.document import Document
 from linkwright.model.origin import Origin
 from linkwright.model.yaml_text import read_text
@@ -157,7 +157,7 @@ def unknown_target(to: str) -> Finding:
 
 def no_target() -> Finding:
     """The finding where nothing says for which tool."""
-    return Finding("export.which", data={"known": ", ".join(TARGETS)})
+    return Finding("export.which", data={"known": Joined(TARGETS)})
 
 
 def settings_of(settings: Sequence[str]) -> dict[str, Any]:

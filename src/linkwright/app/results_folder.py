@@ -23,7 +23,7 @@ from types import TracebackType
 from linkwright.app.manifest import NAME, OUTDATED, CommandFiles, Entry, Manifest, Model, State, read_manifest
 from linkwright.blocks.checkpoint import unsaved
 from linkwright.blocks.lock import Lock
-from linkwright.findings import Finding, ModelError
+from linkwright.findings import Finding, Joined, ModelError
 from linkwright.model.origin import Origin
 from linkwright.model.output_files import make_folder, write_aside
 from linkwright.words import say
@@ -119,7 +119,7 @@ class ResultsFolder:
         foreign += [f"{OUTDATED}/{e.name}" for e in old if e.name not in there and os.path.lexists(aside / e.name)]
         if foreign and not self._force:
             self._refused = True
-            data = {"folder": str(self.path), "files": ", ".join(foreign)}
+            data = {"folder": str(self.path), "files": Joined(foreign)}
             raise ModelError([Finding("folder.foreign", data=data)])
         for path in (self.path / name for name in foreign):
             if path.is_symlink():

@@ -11,7 +11,7 @@ from typing import Any
 from linkwright.app.job import Examined, Writing, carry_out, examine_document, read_file, read_model
 from linkwright.blocks import RUNNERS, Runner
 from linkwright.exports import TARGETS
-from linkwright.findings import Finding, Term, raise_errors
+from linkwright.findings import Finding, Joined, Term, raise_errors
 from linkwright.model.document import Document, parse_document, plain
 from linkwright.studies import STUDIES, RunContext
 
@@ -77,7 +77,7 @@ def examine_one(
     own = getattr(document, section)
     lacking = [f for f in examined.findings if f.code in _LACKING and f.path == (section, name)]
     if lacking and name not in own:
-        data = {"name": name, "has": ", ".join(own) or Term("none"), "example": known[name].example}
+        data = {"name": name, "has": Joined(own) or Term("none"), "example": known[name].example}
         rest = [f for f in examined.findings if f not in lacking or f.code != "file.missing"]
         examined.findings = [Finding(code, (section,), data), *rest]
     return examined

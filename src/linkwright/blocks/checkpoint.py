@@ -16,7 +16,7 @@ import numpy as np
 
 from linkwright import _version
 from linkwright.blocks.work import Arrays
-from linkwright.findings import Finding, ModelError
+from linkwright.findings import Finding, Joined, ModelError
 from linkwright.model.input_files import read_at_most, reason
 from linkwright.model.output_files import refuse_link, write_aside
 
@@ -91,7 +91,7 @@ class Checkpoint:
     def _other(self, theirs: Mapping[str, str], ours: Mapping[str, str]) -> ModelError:
         """The refusal of a state that other versions have computed: of both those that differ."""
         names = [name for name in {**ours, **theirs} if theirs.get(name) != ours.get(name)]
-        told = [", ".join(f"{name} {of.get(name, '-')}" for name in names) for of in (theirs, ours)]
+        told = [Joined(f"{name} {of.get(name, '-')}" for name in names) for of in (theirs, ours)]
         return ModelError(
             [Finding("blocks.other-version", (), {"file": str(self.path), "theirs": told[0], "ours": told[1]})]
         )

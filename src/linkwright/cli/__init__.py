@@ -31,7 +31,7 @@ from linkwright.cli.execution import (
 )
 from linkwright.cli.language import install, of_process
 from linkwright.cli.streams import failed, interrupted, misused, prepare, read_or_not
-from linkwright.cli.usage import CommandGroup, Option, option
+from linkwright.cli.usage import CommandGroup, Option, Whole, option
 from linkwright.cli.wrapping import WideFormatter
 from linkwright.words import in_language
 
@@ -143,10 +143,10 @@ def export(
 
 @cli.command(help="cli.bench")
 @FILE
-@option("--poses", type=click.IntRange(1, 10**9), default=1_000_000, show_default=True, help="cli.poses")
+@option("--poses", type=Whole(1, 10**9), default=1_000_000, show_default=True, help="cli.poses")
 @option("--output", "outputs", multiple=True, metavar="SIGNAL", help="cli.outputs")
 @option("--kernel", "kernels", multiple=True, metavar="NAME", help="cli.kernels")
-@option("--threads", type=click.IntRange(1, 1024), help="cli.threads")
+@option("--threads", type=Whole(1, 1024), help="cli.threads")
 @JSON
 def bench(
     file: Path, poses: int, outputs: tuple[str, ...], kernels: tuple[str, ...], threads: int | None, as_json: bool

@@ -5,10 +5,34 @@ from __future__ import annotations
 
 from typing import Any
 
-from rich.console import Console
+from rich.console import Console, ConsoleOptions
+from rich.containers import Lines
+from rich.measure import Measurement
 from rich.text import Text
 
 from linkwright.escape import visible
+from linkwright.presentation.lettering import breaks, widest
+
+
+class Foldable(Text):
+    """A text that may be broken between hanzi as well."""
+
+    def wrap(self, console: Console, width: int, **how: Any) -> Lines:
+        """In lines of this width."""
+        if how.get("no_wrap"):
+            return super().wrap(console, width, **how)
+        lines = [
+            part
+            for line in self.split(allow_blank=True, include_separator=False)
+            for part in line.divide(breaks(line.plain, width))
+        ]
+        for line in lines:
+            line.rstrip()
+        return Text("\n").join(lines).wrap(console, width, **how)
+
+    def __rich_measure__(self, console: Console, options: ConsoleOptions) -> Measurement:
+        """The least and the greatest width that it can make use of."""
+        return Measurement(widest(self.plain), super().__rich_measure__(console, options).maximum)
 
 
 class Stream(Console):
@@ -17,7 +41,8 @@ class Stream(Console):
 
     def render_str(self, text: str, **how: Any) -> Text:
         """Any text that is printed."""
-        return super().render_str(visible(text), **how)
+        made = super().render_str(visible(text), **how)
+        return Foldable(made.plain, made.style, justify=made.justify, overflow=made.overflow, spans=made.spans)
 
     def on_broken_pipe(self) -> None:
         """Raise the error on; Rich itself would end with exit code 1."""

@@ -19,7 +19,7 @@ from linkwright.cli import terminal
 from linkwright.cli.consoles import err, out
 from linkwright.cli.progress import ProgressBar
 from linkwright.escape import json_text, line
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined, Term
 from linkwright.report.structure_summary import facts
 from linkwright.studies.registry import STUDIES
 from linkwright.words import in_language, language, say
@@ -70,9 +70,9 @@ def findings(examined: Examined, file: Path) -> None:
 def finding(item: Finding, file: Path | None = None) -> None:
     """One finding: place, element, what, mend."""
     place = f"{line(str(file))}:{item.line}: " if file and item.line else f"{line(str(file))}: " if file else ""
-    element = f"{item.element}: " if item.element else ""
-    style = _STYLES[item.severity]
-    err.print(f"{escape(place)}[{style}]{item.severity}[/] {escape(element + item.what)} [dim]\\[{item.code}][/]")
+    what = str(Term("colon", first=item.element, then=item.what) if item.element else item.what)
+    style, severity = _STYLES[item.severity], say(f"cli.severity.{item.severity}")
+    err.print(f"{escape(place)}[{style}]{severity}[/] {escape(what)} [dim]\\[{item.code}][/]")
     err.print(f"    {escape(item.mend)}")
 
 
@@ -163,7 +163,7 @@ def bench(done: Bench | None) -> None:
         table.add_row(name, *numbers)
     out.print(table)
     if done.missing:
-        out.print(say("cli.bench.missing", names=", ".join(done.missing)))
+        out.print(say("cli.bench.missing", names=Joined(done.missing)))
 
 
 def gallery() -> None:

@@ -64,6 +64,9 @@ def interrupted(stop: KeyboardInterrupt) -> int:
 def misused(error: click.ClickException) -> int:
     """Tell what is wrong with the arguments, which are quoted; gives the exit code."""
     stream = io.StringIO()
+    if isinstance(error, click.MissingParameter):  # its sentence ends in a full stop of its own
+        text = say("cli.missing", what=error.format_message().removesuffix("."))
+        error = click.UsageError(text, error.ctx)
     error.message = line(error.message)  # type: ignore[misc]
     error.show(stream)
     click.echo(visible(stream.getvalue()), err=True, nl=False)

@@ -11,7 +11,7 @@ import click
 
 from linkwright.cli import execution
 from linkwright.cli.execution import Telling
-from linkwright.cli.usage import Hinted, option
+from linkwright.cli.usage import Hinted, Whole, option
 from linkwright.words import catalogue
 
 if TYPE_CHECKING:
@@ -101,7 +101,7 @@ def _params(study: Study, command: Command) -> list[click.Parameter]:
     """What a command takes."""
     flags: list[Any] = []
     for setting in command.settings:
-        kind = click.IntRange(setting.low, setting.high) if setting.low is not None else None
+        kind = Whole(setting.low, setting.high) if setting.low is not None else None
         more = {"type": kind} if kind else {"metavar": "NAME"}
         flags.append(option(f"--{setting.name}", multiple=setting.several, help=f"cli.{setting.name}", **more))
     if command.writes:
@@ -110,7 +110,7 @@ def _params(study: Study, command: Command) -> list[click.Parameter]:
     if command.fresh:
         flags.append(option("--fresh", is_flag=True, help="cli.fresh"))
     if command.work:
-        flags.append(option("--workers", type=click.IntRange(1, 1024), help="cli.workers"))
+        flags.append(option("--workers", type=Whole(1, 1024), help="cli.workers"))
         flags.append(option("--cluster", metavar="ADDRESS", help="cli.cluster"))
     flags += [execution.QUIET, execution.VERBOSE, execution.JSON]
 

@@ -31,6 +31,15 @@ class Option(Helped, click.Option):
     """An option."""
 
 
+class Whole(click.IntRange):
+    """A whole number in a range, which has a name in each language."""
+
+    @property
+    def name(self) -> str:  # type: ignore[override]
+        """What it is called."""
+        return say("click.whole")
+
+
 option = partial(click.option, cls=Option)
 """Declares an option; ``help`` is a key of the catalogue."""
 
@@ -48,6 +57,11 @@ class Spoken(Helped, click.Command):
         """Its arguments and options, the language before ``--help``."""
         *own, help_option = super().get_params(ctx)
         return [*own, LANGUAGE, help_option]
+
+    def get_short_help_str(self, limit: int = 45) -> str:
+        """The first sentence of its help."""
+        first, stop, _ = (self.help or "").partition("。")
+        return f"{first}{stop}" if stop else super().get_short_help_str(limit)
 
 
 _DASHES = ("－", "—", "–", "―", "−")

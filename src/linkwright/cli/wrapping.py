@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 import click
 
 from linkwright.presentation.lettering import columns, folded
+from linkwright.words import say
 
 GAP = 2
 """Columns between an option and what it does."""
@@ -16,6 +17,15 @@ FIRST = 30
 
 class WideFormatter(click.HelpFormatter):
     """Help whose columns stand below each other whatever letters they have."""
+
+    def write_usage(self, prog: str, args: str = "", prefix: str | None = None) -> None:
+        """Write how a command is called."""
+        usage = say("click.usage")
+        super().write_usage(prog, args, usage if columns(usage[-1]) > 1 else f"{usage} ")
+
+    def write_heading(self, heading: str) -> None:
+        """Write the heading of options or commands."""
+        self.write(f"{' ' * self.current_indent}{say('cli.heading', heading=heading)}\n")
 
     def write_text(self, text: str) -> None:
         """Write paragraphs."""

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined
 from linkwright.graph import assembly as modes
 from linkwright.graph.assembly import Assembly
 from linkwright.graph.redundant import redundant
@@ -109,5 +109,5 @@ def warnings(spelled: Spelled, q: Quantities, stated: Laws, assembly: Assembly) 
 def _moments(q: Quantities) -> Iterator[Finding]:
     """A warning that moments of slides in a loop of slides aren't determined."""
     if slides := q.signals.looped:
-        data = {"joints": ", ".join(slides)}
+        data = {"joints": Joined(slides)}
         yield Finding("structure.moments-indeterminate", ("joints", slides[0]), data, severity="warning")

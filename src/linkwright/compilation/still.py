@@ -6,7 +6,7 @@ from pathlib import Path
 
 from linkwright.compilation.pipeline import prepare
 from linkwright.compilation.stages import Uses
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined
 from linkwright.graph.assembly import Assembly
 from linkwright.graph.standing import standing
 from linkwright.kernels import Still
@@ -24,7 +24,7 @@ def examine_still(
     made = prepare(mechanism, folder, uses, driven=False)
     findings = [finding for finding in made.findings if finding.code not in HELD]
     if mechanism.drives and not findings:
-        findings = [Finding("reactions.drives", ("drives",), {"names": ", ".join(mechanism.drives)})]
+        findings = [Finding("reactions.drives", ("drives",), {"names": Joined(mechanism.drives)})]
     if findings:
         return None, findings
     system, z, findings = standing(made.quantities, made.structure)

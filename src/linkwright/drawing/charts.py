@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.escape import markup, printed
-from linkwright.findings import Joined, Text
+from linkwright.findings import Term, Text
 from linkwright.presentation.lettering import columns
 
 Array = NDArray[np.float64]
@@ -144,7 +144,7 @@ def points(x: Array, y: Array) -> str:
 
 def named(name: Text, unit: str) -> Text:
     """A name with its unit."""
-    return Joined([name, printed(unit)]) if unit else name
+    return Term("with-unit", name=name, unit=printed(unit)) if unit else name
 
 
 def stretches(known: NDArray[np.bool_]) -> list[NDArray[np.intp]]:

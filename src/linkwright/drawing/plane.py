@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.drawing.charts import LETTER, points, ticks
+from linkwright.drawing.charts import LETTER, named, points, ticks
 from linkwright.escape import markup
-from linkwright.findings import Text
+from linkwright.findings import Joined, Text
 from linkwright.presentation.lettering import FONT, folded
 
 Array = NDArray[np.float64]
@@ -77,7 +77,7 @@ class PicturePlane:
             y = float(self.to_picture(np.array(0.0), np.array(value))[1])
             lines.append(f"M{LEFT:.0f} {y:.1f}H{self.right:.1f}")
             numbers.append(f'<text x="{LEFT - 6:.0f}" y="{y + 4:.1f}" text-anchor="end">{_number(value)}</text>')
-        label = f"x, y, {self.unit}" if self.unit else "x, y"
+        label = named(Joined("xy"), self.unit)
         middle = (LEFT + self.right) / 2
         numbers.append(f'<text x="{middle:.0f}" y="{self.bottom + 30:.1f}" text-anchor="middle">{markup(label)}</text>')
         return f'<path class="grid" d="{"".join(lines)}"/>{"".join(numbers)}'

@@ -24,6 +24,7 @@ from linkwright.elements.joint import (
 from linkwright.elements.lower_pair import LowerPair, Slopes
 from linkwright.expressions import units as u
 from linkwright.expressions.written import FaultWithin
+from linkwright.findings import Joined
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
 from linkwright.notation.planar import turning_axis, unit_vector
 
@@ -167,7 +168,7 @@ class Revolute(JointKind):
         self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: StatedClearance
     ) -> Iterator[FaultWithin]:
         if stated.in_ is not None and stated.in_ not in links:
-            yield "clearance.not-on-pin", {"name": joint, "link": stated.in_, "links": ", ".join(links)}, "in"
+            yield "clearance.not-on-pin", {"name": joint, "link": stated.in_, "links": Joined(links)}, "in"
         for link in links:
             pinned, points = geometry.pin_point(joint, link), geometry.mechanism.links[link].points
             arms = [geometry.point(link, point).minus(pinned) for point in points]

@@ -37,6 +37,7 @@ from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen, LineOn, Name, Two, fault, pair
 from linkwright.expressions.typed_fields import Context, Ends, Quantity, Ref, Sign
 from linkwright.expressions.written import Fault, FaultWithin, unexpected
+from linkwright.findings import Joined
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec
 from linkwright.notation.jets import call, is_zero
 from linkwright.notation.planar import unit_vector
@@ -102,7 +103,7 @@ class PinInSlotEntry(JointEntry):
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
         slots = [key for key in ("straight", "arc", "curve") if key in given]
         if len(slots) != 1:
-            yield "joint.slot", {"given": ", ".join(slots) or "-"}
+            yield "joint.slot", {"given": Joined(slots) or "-"}
 
     @property
     def joint_points(self) -> tuple[str, ...]:

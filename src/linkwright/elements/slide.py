@@ -23,6 +23,7 @@ from linkwright.elements.joint import (
 )
 from linkwright.elements.lower_pair import LowerPair, Slopes
 from linkwright.expressions.written import FaultWithin
+from linkwright.findings import Joined
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
 
 
@@ -197,7 +198,7 @@ class Prismatic(JointKind):
             yield "clearance.short-guide", {"name": joint}
         every = geometry.mechanism.links
         if stated.centre is not None and not any(stated.centre in every[link].points for link in links):
-            yield "clearance.centre", {"name": stated.centre, "links": ", ".join(links)}, "centre"
+            yield "clearance.centre", {"name": stated.centre, "links": Joined(links)}, "centre"
 
     def reference(self, geometry: JointGeometry, joint: str, link: str, bodies: Mapping[str, Body]) -> Pair:
         second = geometry.mechanism.joints[joint].links[1]

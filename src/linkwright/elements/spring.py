@@ -35,7 +35,7 @@ from linkwright.expressions.language import Name as Signal
 from linkwright.expressions.typed_fields import Path, Quantity, Ref, Scope, Sign
 from linkwright.expressions.units import Dimension
 from linkwright.expressions.written import Fault, FaultWithin
-from linkwright.findings import Finding, Term
+from linkwright.findings import Finding, Joined, Term
 from linkwright.notation import Pair, Scalar, Vec, Wrench
 from linkwright.notation.jets import call
 
@@ -96,9 +96,9 @@ class Spring(ForceEntry):
         strays += [key for key in _LINEAR if key in given and "stiffness" not in given]
         strays += [key for key in _GAS if key in given and "gas" not in given and key not in strays]
         if strays:
-            yield "spring.stray", {"keys": ", ".join(strays)}
+            yield "spring.stray", {"keys": Joined(strays)}
         if len(laws) > 1 or not (laws or "damping" in given):
-            yield "spring.law", {"given": ", ".join(laws) or "-"}
+            yield "spring.law", {"given": Joined(laws) or "-"}
         if "stiffness" in given and "free" not in given:
             yield "spring.free", {}
         if "gas" in given and between and not {"progression", "length"} <= set(given):

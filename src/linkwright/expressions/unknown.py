@@ -9,7 +9,7 @@ from difflib import SequenceMatcher
 from typing import Any
 
 from linkwright.expressions.synonyms import meant, plain
-from linkwright.findings import Finding, Term
+from linkwright.findings import Finding, Joined, Term
 
 MOST = 3
 """The most names that a hint proposes."""
@@ -34,7 +34,7 @@ class Near(Term):
     """A sentence on a name that isn't known; ``likely`` are the known ones that may be meant, the likeliest first."""
 
     def __init__(self, key: str, names: Iterable[str], likely: Iterable[str], known: Iterable[str] = ()) -> None:
-        super().__init__(key, names=", ".join(names), known=", ".join(known))
+        super().__init__(key, names=Joined(names), known=Joined(known))
         self.likely = tuple(likely)
 
 

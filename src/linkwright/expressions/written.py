@@ -59,8 +59,9 @@ def describe(raw: Any) -> Any:
         return Term("given-mapping")
     if isinstance(raw, list | tuple):
         return Term("given-list", count=len(raw))
-    text = str(raw) if isinstance(raw, int | float) else f"'{raw}'"
-    return text if len(text) <= 60 else text[:57] + "..."
+    text = str(raw)
+    text = text if len(text) <= 58 else text[:55] + "..."
+    return text if isinstance(raw, int | float) else Term("quoted", text=text)
 
 
 def free_text(raw: Any, limit: int = 10 * MAX_TEXT) -> str:

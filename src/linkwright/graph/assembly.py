@@ -14,7 +14,7 @@ from linkwright.elements import OuterPin
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.fields import AssemblyRule
 from linkwright.expressions.units import LENGTH
-from linkwright.findings import Finding, ModelError, Term, enumerated
+from linkwright.findings import Finding, Joined, ModelError, Term, enumerated
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.higher_groups import assemble_higher_group, drawn_phases, only_coordinates
 from linkwright.graph.motion import Motion, Unknowns, solve_motion
@@ -103,7 +103,7 @@ class _Assembler:
         self.assembly.findings.append(Finding(code, path, data))
 
     def degenerate(self, group: Group) -> None:
-        joints = ", ".join(c.joint for c in group.joints)
+        joints = Joined(c.joint for c in group.joints)
         self.note("assembly.degenerate", ("links", group.links[0]), links=enumerated(group.links), joints=joints)
 
     def branch(self, group: Group, dyad: Dyad) -> float:
@@ -128,7 +128,7 @@ class _Assembler:
                 name = found[0][0]
                 self.note("assembly.ambiguous", ("assembly", name), point=name, options=self.options(group))
             elif len(signs) > 1:
-                self.note("assembly.contradiction", ("assembly", found[0][0]), rules=", ".join(n for n, _ in found))
+                self.note("assembly.contradiction", ("assembly", found[0][0]), rules=Joined(n for n, _ in found))
             elif not found and group.inner.joint in self.quantities.mechanism.cylinders:
                 branch = group.front
                 self.assembly.rules[group] = group.rule(branch)
@@ -136,7 +136,7 @@ class _Assembler:
                 self.note(
                     "assembly.missing",
                     ("assembly",),
-                    links=", ".join(group.links),
+                    links=Joined(group.links),
                     options=self.options(group),
                 )
             self.assembly.branches[group] = branch
@@ -173,12 +173,12 @@ class _Assembler:
                 name for pin in self.structure.topology.pins.values() for name in self.unplaced(pin, higher_group)
             ]
             wanted = wanted or self.untied(higher_group)
-            data = {"pins": ", ".join(wanted), "first": wanted[0] if wanted else "C"}
-            self.note("assembly.no-sketch", ("assembly",), links=", ".join(higher_group.links), **data)
+            data = {"pins": Joined(wanted), "first": wanted[0] if wanted else "C"}
+            self.note("assembly.no-sketch", ("assembly",), links=Joined(higher_group.links), **data)
             raise _CannotStart
         found = assemble_higher_group(self.motion, higher_group, sketch, self.drives)
         if found is None:
-            self.note("assembly.not-found", ("links", higher_group.links[0]), links=", ".join(higher_group.links))
+            self.note("assembly.not-found", ("links", higher_group.links[0]), links=Joined(higher_group.links))
             raise _CannotStart
         self.assembly.starts[higher_group] = found
         return found

@@ -97,7 +97,7 @@ def _excess(findings: list[Finding]) -> int:
 
 def _candidates(mechanism: Mechanism, finding: Finding) -> Iterator[Removable]:
     """What may be left out to mend a finding: the slides in it, then its links, the last in the file first."""
-    links = str(finding.data["links"]).split(", ")
+    links = [*finding.data["links"].parts]
     driven = {link for drive in mechanism.movers.values() for link in (drive.link, drive.on)}
     names = [name for name, joint in mechanism.prismatic_joints() if {*joint.links} & {*links}]
     if finding.code == "structure.redundant":

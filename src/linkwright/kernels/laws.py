@@ -11,7 +11,7 @@ import numpy as np
 from linkwright.expressions import units as u
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, nodes
-from linkwright.findings import Finding, ModelError
+from linkwright.findings import Finding, ModelError, Term
 from linkwright.kernels.followers import follower_law
 from linkwright.kernels.law import Array, DriveLaw, Parameters
 from linkwright.kernels.motion_faults import jump
@@ -191,11 +191,15 @@ def constant_acceleration(start: float, speed: float, acceleration: float = 0.0)
     return DriveLaw(lambda t, parameters, strict: uniform(t, start, speed, acceleration), {})
 
 
+_RATES = (Term("law-value"), Term("law-velocity"), Term("jump-acceleration"))
+"""What must be finite."""
+
+
 def _must_be_finite(drive: str, t: Array, jet: Jet) -> None:
     for k, row in enumerate(jet.d[:3]):
         bad = ~(np.abs(np.broadcast_to(np.asarray(row, dtype=float), t.shape)) < LARGEST)
         if bad.any():
-            data = {"drive": drive, "time": float(t[bad][0]), "what": ("value", "speed", "acceleration")[k]}
+            data = {"drive": drive, "time": float(t[bad][0]), "what": _RATES[k]}
             raise ModelError([Finding("drive.not-finite", ("drives", drive, "position"), data)])
 
 

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.unknown import near
-from linkwright.findings import Finding, raise_errors
+from linkwright.findings import Finding, Joined, raise_errors
 from linkwright.graph.rows import Named, ReachRow
 from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.continuation_batch import MOST, Pursued, Pursuit
@@ -62,18 +62,18 @@ class Varied:
             if name not in known:
                 yield Finding("name.unknown-parameter", ("parameters", name), {"name": name, "near": near(name, known)})
         if self.names and self.compiled.passages.every:
-            yield Finding("varied.passage", ("studies", "cycle", "through"), {"names": ", ".join(self.names)})
+            yield Finding("varied.passage", ("studies", "cycle", "through"), {"names": Joined(self.names)})
         for name in self.names if self.compiled.structure.topology.closing_slides else ():
             if tilted := next(tilts(_altered(quantities, name)), None):
-                yield Finding("varied.slides", ("joints", tilted[0]), {"name": name, "loop": ", ".join(tilted[1])})
+                yield Finding("varied.slides", ("joints", tilted[0]), {"name": name, "loop": Joined(tilted[1])})
         for name, table in quantities.mechanism.tables.items():
             held = {part for node in fixed_parts(table) for part in names_in(node)} & self.varying
             if held:
-                yield Finding("varied.table", ("tables", name), {"table": name, "names": ", ".join(sorted(held))})
+                yield Finding("varied.table", ("tables", name), {"table": name, "names": Joined(sorted(held))})
         for name, follower in quantities.mechanism.followers.items():
             for law in follower.laws.values() if follower.derived else ():
                 if held := {*self.compiled.motions[law].names} & self.varying:
-                    data = {"law": law, "name": name, "names": ", ".join(sorted(held))}
+                    data = {"law": law, "name": name, "names": Joined(sorted(held))}
                     yield Finding("varied.second", quantities.mechanism.path_of(name), data)
 
     def parameters(self, values: Array) -> Array:

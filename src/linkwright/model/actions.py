@@ -17,6 +17,7 @@ from linkwright.expressions.system import Unknown
 from linkwright.expressions.typed_fields import Ends, Quantity, Scope, Sign
 from linkwright.expressions.units import PURE, TIME, Dimension, UnitError, unit
 from linkwright.expressions.written import Fault, short_text, unexpected
+from linkwright.findings import Joined
 from linkwright.reductions import figure
 
 MAX_ROWS = 10_000
@@ -93,7 +94,7 @@ class Table(Frozen):
         elif "file" in given and len(columns) < 2:
             yield "table.columns", {}
         elif "points" in given and columns:
-            yield "table.inline-columns", {"given": ", ".join(columns)}
+            yield "table.inline-columns", {"given": Joined(columns)}
 
 
 def _signal(raw: Any) -> str:

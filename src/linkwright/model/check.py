@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from linkwright.elements.points import homes
 from linkwright.expressions.language import FUNCTIONS
 from linkwright.expressions.unknown import likeliest
-from linkwright.findings import Finding, Term
+from linkwright.findings import Finding, Joined, Term
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.motions import ARGUMENT
 from linkwright.model.pins import pins
@@ -43,7 +43,7 @@ def _links(m: Mechanism) -> Iterator[Finding]:
     if FRAME not in m.links:
         meant = next((name for name in m.links if likeliest(name, [FRAME])), None)
         hint = Term("frame-none") if meant is None else Term("frame-other", name=meant)
-        yield Finding("model.no-frame", ("links",), {"links": ", ".join(list(m.links)[:20]) or "-", "hint": hint})
+        yield Finding("model.no-frame", ("links",), {"links": Joined(list(m.links)[:20]) or "-", "hint": hint})
     elif m.links[FRAME].mass is not None:
         yield Finding("model.frame-mass", ("links", FRAME, "mass"))
     if not any(name != FRAME for name in m.links):
@@ -97,7 +97,7 @@ def _pins(m: Mechanism) -> Iterator[Finding]:
     for name, pin in pins(m).items():
         for link, count in Counter(pin.links).items():
             if count > 1:
-                at = ", ".join(point for member, point in pin.members if member == link)
+                at = Joined(point for member, point in pin.members if member == link)
                 path = ("joints", name) if name in m.joints else ("links", link)
                 yield Finding("joint.pin-twice", path, {"link": link, "points": at, "pin": name})
 

@@ -10,7 +10,7 @@ from itertools import islice
 from pathlib import Path
 
 from linkwright.expressions.written import NO_TEXT
-from linkwright.findings import Finding, ModelError, Term, capped
+from linkwright.findings import Finding, Joined, ModelError, Term, capped
 from linkwright.model.encodings import decoded, likely_encoding
 from linkwright.model.input_files import read_beside
 from linkwright.model.quantities import LARGEST
@@ -19,6 +19,11 @@ Path_ = tuple[str | int, ...]
 
 MAX_TOLD = 10
 """So many wrong cells are told one by one."""
+
+
+def listed(heads: Sequence[str]) -> Joined:
+    """The heads of columns, as far as a message has room for them."""
+    return Joined(head[:40] for head in heads[:20])
 
 
 @dataclass(frozen=True)
@@ -38,7 +43,7 @@ class CsvFile:
         if count > 1:
             raise ModelError([Finding("table.column-twice", self.path, {"name": head[:60], "file": self.name})])
         if count == 0:
-            known = ", ".join(self.heads)[:100]
+            known = listed(self.heads)
             raise ModelError([Finding("table.no-column", self.path, {"name": wanted or head, "known": known})])
         return self.heads.index(head)
 

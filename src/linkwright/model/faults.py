@@ -10,7 +10,7 @@ from typing import Any
 
 from linkwright.expressions.unknown import likeliest, near
 from linkwright.expressions.written import describe
-from linkwright.findings import Finding, Term
+from linkwright.findings import Finding, Joined, Term, alternatives
 from linkwright.model.absent import SAYS_KIND, absent
 from linkwright.model.known_keys import keys_at
 from linkwright.model.yaml_text import MAX_FINDINGS, Path, Source
@@ -92,8 +92,8 @@ def _finding(fault: Any, raw: Any, owner: Any) -> Finding:
     wanted = _WANTED.get(kind, "other")
     data: dict[str, Any] = {"wanted": Term(wanted), "given": describe(fault["input"]), "hint": Term(f"{wanted}-as")}
     if kind == "literal_error":
-        choice = str(context["expected"])
-        data |= {"wanted": choice, "hint": near(str(fault["input"]), re.findall("'([^']*)'", choice), listed=True)}
+        choices = re.findall("'([^']*)'", str(context["expected"]))
+        data |= {"wanted": alternatives(choices), "hint": near(str(fault["input"]), choices, listed=True)}
     return _with_section(Finding("file.expected", path, data))
 
 
@@ -122,7 +122,7 @@ def finding_of(fault: Any, data: Any, owner: Any, place: Path = ()) -> Finding |
         context = dict(fault["ctx"])
         return Finding(context.pop("code"), (*place, *path), context)
     if kind == "missing":
-        keys = ", ".join(keys_at(owner, path, data))
+        keys = Joined(keys_at(owner, path, data))
         return Finding("file.missing", (*place, *path), {"name": str(fault["loc"][-1]), "known": keys})
     if kind == "extra_forbidden":
         name, known = str(path[-1]), keys_at(owner, path[:-1], data)

@@ -7,7 +7,7 @@ from typing import Any
 
 from linkwright.elements.follower import FOLLOWERS, Follower
 from linkwright.expressions.typed_fields import Context, Path
-from linkwright.findings import Finding, Term
+from linkwright.findings import Finding, Joined, Term
 from linkwright.model.mechanism import FOLLOWING, Mechanism
 from linkwright.model.pins import Pin, pins
 from linkwright.model.references import reference_faults
@@ -40,7 +40,7 @@ def with_followers(m: Mechanism) -> tuple[Mechanism, list[Finding]]:
 
 def no_followers(m: Mechanism, study: str) -> Finding:
     """That a study moves each drive on its own, which a mechanism with followers doesn't let it."""
-    return Finding("study.cams", m.path_of(next(iter(m.followers))), {"study": study, "names": ", ".join(m.followers)})
+    return Finding("study.cams", m.path_of(next(iter(m.followers))), {"study": study, "names": Joined(m.followers)})
 
 
 def _read(
@@ -71,5 +71,7 @@ def _unlawful(m: Mechanism, path: Path, made: Follower) -> Iterator[Finding]:
     for key, name in made.laws.items():
         law = m.laws.get(name)
         if law is not None and (law.over, law.of) != (over, value):
-            given = f"over: {law.over}, of: {law.of}"
-            yield Finding("joint.follower-law", (*path, key), {"law": name, "over": over, "of": value, "given": given})
+            given = Joined([f"over: {law.over}", f"of: {law.of}"])
+            data = {"law": name, "over": over, "of": value, "given": given}
+            terms = {"argument": Term(f"dimension-{over}"), "value": Term(f"dimension-{value}")}
+            yield Finding("joint.follower-law", (*path, key), data | terms)

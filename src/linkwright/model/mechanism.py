@@ -46,6 +46,7 @@ from linkwright.expressions.fields import (
 from linkwright.expressions.typed_fields import Ref
 from linkwright.expressions.unknown import alike
 from linkwright.expressions.written import FaultWithin, unexpected
+from linkwright.findings import CLAUSES, Joined
 from linkwright.model.actions import BOUND, Table, Window
 from linkwright.model.gravity import Gravity
 from linkwright.model.motions import MotionLaw
@@ -166,11 +167,12 @@ class _AnyReduction:
         return {**whole, "properties": said}
 
 
-def _distinct_keys(raw: Mapping[str, Any], kinds: Mapping[str, type[BaseModel]]) -> str:
+def _distinct_keys(raw: Mapping[str, Any], kinds: Mapping[str, type[BaseModel]]) -> Joined:
     """The keys of an entry of several kinds, those of each for itself, without what they share."""
     known = {kind: keys_of(entry) for kind, entry in kinds.items()}
     others = {kind: set().union(*(known[other] for other in known if other != kind)) for kind in known}
-    return "; ".join(", ".join(key for key in raw if key in known[kind] - others[kind]) for kind in known)
+    own = (Joined(key for key in raw if key in known[kind] - others[kind]) for kind in known)
+    return Joined(own, CLAUSES)
 
 
 def _dumped(entry: Any, info: SerializationInfo) -> Any:

@@ -12,6 +12,7 @@ from linkwright.expressions.typed_fields import Quantity, Scope
 from linkwright.expressions.units import ANGLE, LENGTH, PURE, TIME, Dimension
 from linkwright.expressions.unknown import near
 from linkwright.expressions.written import Fault, fault, short_text, unexpected
+from linkwright.findings import Joined
 from linkwright.laws import LAWS
 from linkwright.model.actions import Row
 
@@ -101,7 +102,7 @@ class SegmentEntry(Frozen):
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
         heads = [key for key in _HEADS if key in given]
         if len(heads) != 1:
-            yield "law.segment", {"given": ", ".join(heads) or "-", "known": ", ".join(_HEADS)}
+            yield "law.segment", {"given": Joined(heads) or "-", "known": Joined(_HEADS)}
             return
         head, fitting = heads[0], _HEADS[heads[0]]
         odd = [key for key in cls.names() if key in given and key not in (head, *fitting)]
@@ -110,12 +111,12 @@ class SegmentEntry(Frozen):
         if "skew" in given and not {"law", "fractions"} & {*ways}:
             odd.append("skew")
         if odd:
-            yield "law.keys", {"head": head, "given": ", ".join(dict.fromkeys(odd))}
+            yield "law.keys", {"head": head, "given": Joined(dict.fromkeys(odd))}
         if "over" in fitting and "over" not in given:
             yield "law.no-over", {"head": head}
         if "law" in fitting and len(ways) + bool(between) != 1:
             known = [key for key in (*_NORMALISED, *_BETWEEN) if key in fitting]
-            yield "law.way", {"given": ", ".join([*ways, *between]) or "-", "known": ", ".join(known)}
+            yield "law.way", {"given": Joined([*ways, *between]) or "-", "known": Joined(known)}
 
     @classmethod
     def names(cls) -> list[str]:

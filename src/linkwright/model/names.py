@@ -11,7 +11,7 @@ from linkwright.expressions.respelled import respelled
 from linkwright.expressions.trees import children
 from linkwright.expressions.units import is_unit
 from linkwright.expressions.unknown import likeliest, near, proposed
-from linkwright.findings import Finding, Term
+from linkwright.findings import Finding, Joined, Term
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.places import ExpressionPlace, Scope
 from linkwright.model.signals import Signals
@@ -36,7 +36,7 @@ def _of_class(finding: Finding) -> Finding:
     path = finding.path
     if finding.code != "name.unknown-parameter" or path[:1] != ("parameters",) or path[2:] not in _LIMITS:
         return finding
-    data = {"given": finding.data["name"], "known": ", ".join(examples())}
+    data = {"given": finding.data["name"], "known": Joined(examples())}
     return replace(finding, code="tolerance.unknown-class", data=data)
 
 
@@ -83,7 +83,7 @@ class Names:
                 yield Finding("expression.respelled", path, data)
             elif place.scope in (Scope.SIGNALS, Scope.LOAD) and node.text in self.signals.named:
                 kind, attributes = self.signals.attributes(node.text)
-                signals = ", ".join(f"{node.text}.{attribute}" for attribute in attributes)
+                signals = Joined(f"{node.text}.{attribute}" for attribute in attributes)
                 yield Finding(
                     "signal.element", path, {"name": node.text, "kind": Term(f"a-{kind}"), "signals": signals}
                 )

@@ -34,6 +34,7 @@ from linkwright.expressions.fields import (
 )
 from linkwright.expressions.typed_fields import Ends, Quantity, Ref, Sign, of_parameter
 from linkwright.expressions.written import Fault, FaultWithin, Shortened, plain_number, unexpected
+from linkwright.findings import Joined
 from linkwright.model.tolerances import Tolerance
 
 
@@ -140,12 +141,12 @@ class Link(Frozen):
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
         about = [key for key in ("com", "inertia") if key in given]
         if "shape" in given and about:
-            yield "mass.shape-and-com", {"given": ", ".join(about)}
+            yield "mass.shape-and-com", {"given": Joined(about)}
         elif "mass" in given and "shape" not in given and len(about) < 2:
             missing = [key for key in ("com", "inertia") if key not in given]
-            yield "mass.incomplete", {"missing": ", ".join(missing)}
+            yield "mass.incomplete", {"missing": Joined(missing)}
         if "mass" not in given and (about or "shape" in given):
-            yield "mass.missing", {"given": ", ".join([*about, *(["shape"] if "shape" in given else [])])}
+            yield "mass.missing", {"given": Joined([*about, *(["shape"] if "shape" in given else [])])}
 
 
 class Joint(Frozen):

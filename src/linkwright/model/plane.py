@@ -19,7 +19,7 @@ from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Place, Position
 from linkwright.expressions.language import Name, nodes
 from linkwright.expressions.written import FrozenDict
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.parts import Link, Parameter
 from linkwright.model.pins import pins
@@ -89,7 +89,7 @@ def in_plane(m: Mechanism) -> Flat:
         return Flat(m, findings=(Finding("sketch.plane-unused", ("plane",)),) if unused else ())
     if len(spatial) < len(m.sketch):
         others = [name for name in m.sketch if name not in spatial]
-        data = {"three": ", ".join(spatial[:10]), "two": ", ".join(others[:10])}
+        data = {"three": Joined(spatial[:10]), "two": Joined(others[:10])}
         return _given_up(m, [Finding("sketch.mixed", ("sketch", others[0]), data)])
     quantities = Quantities(_probe(m))
     if quantities.findings:

@@ -15,7 +15,7 @@ from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Position
 from linkwright.expressions.language import Name, Number, nodes
 from linkwright.expressions.units import Dimension
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Term
 from linkwright.model.gravity import EARTH
 from linkwright.model.places import position_parts
 from linkwright.model.quantities import Quantities
@@ -68,8 +68,8 @@ def _lengths(q: Quantities) -> Iterator[Finding]:
         yield Finding("plausible.lengths", ("links", short[0]), {**data}, severity="note")
 
 
-def _distance(link: str, a: str, b: str) -> str:
-    return f"{a}-{b} ({link})"
+def _distance(link: str, a: str, b: str) -> Term:
+    return Term("length-on", points=f"{a}-{b}", link=link)
 
 
 def _place(q: Quantities, at: Position) -> complex:

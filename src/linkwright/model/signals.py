@@ -15,7 +15,7 @@ from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.language import Call, Name, signal_text
 from linkwright.expressions.units import Dimension
 from linkwright.expressions.unknown import near
-from linkwright.findings import Term
+from linkwright.findings import Joined, Term
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.pins import pins
 from linkwright.model.slides import in_loops
@@ -128,8 +128,8 @@ class Signals:
         if len(found) == 1:
             return found[0]
         if found:
-            raise DimensionError("signal.several-joints", a=link, b=on, joints=", ".join(c.joint for c in found))
-        options = ", ".join(f"force({c.link}, {c.on})" for c in self.contacts if link in (c.link, c.on))
+            raise DimensionError("signal.several-joints", a=link, b=on, joints=Joined(c.joint for c in found))
+        options = Joined(f"force({c.link}, {c.on})" for c in self.contacts if link in (c.link, c.on))
         raise DimensionError("signal.no-joint", a=link, b=on, options=options or "-")
 
     def attributes(self, owner: str) -> tuple[str, dict[str, Dimension]]:
@@ -207,7 +207,7 @@ class Signals:
         kind, owners, attributes = self.element(node)
         hidden = kind == "force" and node.attribute in SLIDE_FORCE.keys() - attributes.keys()
         if hidden and (joint := self.contact(owners).joint) in self.looped:
-            data = {"attribute": node.attribute, "joint": joint, "loop": ", ".join(self.looped)}
+            data = {"attribute": node.attribute, "joint": joint, "loop": Joined(self.looped)}
             raise DimensionError("signal.indeterminate", **data)
         return self._signal(kind, owners, node.attribute or "", attributes)
 
@@ -215,7 +215,7 @@ class Signals:
         if attribute not in attributes:
             raise DimensionError(
                 "signal.no-attribute",
-                name=", ".join(owners),
+                name=Joined(owners),
                 attribute=attribute,
                 near=near(attribute, attributes, listed=True),
             )

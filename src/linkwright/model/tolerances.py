@@ -13,7 +13,7 @@ from linkwright.expressions.schema_texts import Described
 from linkwright.expressions.typed_fields import Quantity
 from linkwright.expressions.units import LENGTH, PURE
 from linkwright.expressions.written import Fault, fault
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined
 from linkwright.tolerances import DISTRIBUTIONS, ToleranceClass, examples, tolerance_class
 
 
@@ -27,7 +27,7 @@ class ClassName(Written):
     def read(self, raw: Any) -> None:
         found = tolerance_class(raw) if isinstance(raw, str) else None
         if found is None:
-            known = ", ".join(examples())
+            known = Joined(examples())
             raise fault("tolerance.unknown-class", given=str(raw)[:40], known=known)
         self.set_attribute("found", found)
 
@@ -57,7 +57,7 @@ Limits = Annotated[
 
 def _distribution(raw: Any) -> str:
     if not isinstance(raw, str) or raw not in DISTRIBUTIONS:
-        raise fault("tolerance.distribution", given=str(raw)[:40], known=", ".join(DISTRIBUTIONS))
+        raise fault("tolerance.distribution", given=str(raw)[:40], known=Joined(DISTRIBUTIONS))
     return str(raw)
 
 

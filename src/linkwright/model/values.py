@@ -10,7 +10,7 @@ import numpy as np
 from linkwright.expressions import units as u
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.typed_fields import Ends, Sign
-from linkwright.findings import Finding, Term
+from linkwright.findings import Finding, Joined, Term
 from linkwright.model.places import ExpressionPlace, Scope, position_parts
 from linkwright.model.quantities import LARGEST, Quantities
 from linkwright.model.slides import closing, pairs_of
@@ -95,7 +95,7 @@ def _slides(q: Quantities) -> Iterator[Finding]:
     for name, loop, miss in tilts(q):
         if q.bad(wrong := np.abs(miss) > PARALLEL):
             angle = f"{abs(np.extract(wrong, miss)[0]) / size:.6g}"
-            data = {"joint": name, "loop": ", ".join(loop), "angle": angle, "unit": unit}
+            data = {"joint": name, "loop": Joined(loop), "angle": angle, "unit": unit}
             yield Finding("joint.slides-tilted", ("joints", name), data)
 
 

@@ -17,7 +17,7 @@ _CLOSING = "，。；：、）”！？》"
 _FULL_WIDTH = "，。；：、！？（）《》"
 _UNSPACED = re.compile(f"(?<=[{_FULL_WIDTH}]) | (?=[{_FULL_WIDTH}])|(?<=[{_WIDE}]) (?=[{_WIDE}“])|(?<=”) (?=[{_WIDE}])")
 """Spaces beside full-width punctuation, and between hanzi."""
-_PART = re.compile(f"[“（《]*[{_WIDE}][{_CLOSING}]*|[^\\s{_WIDE}]+[{_CLOSING}]*|\\s+")
+_PART = re.compile(f"[“（《]*(?:[{_WIDE}]|[^\\s{_WIDE}]+)[{_CLOSING}]*|\\s+")
 
 
 def columns(text: str) -> int:
@@ -33,9 +33,24 @@ def joined(text: str) -> str:
 def folded(text: str, room: int) -> Iterator[str]:
     """A text in lines of at most ``room`` columns, but for words that are longer."""
     row = ""
-    for part in _PART.findall(" ".join(text.split())):
+    for part in _PART.findall(joined(" ".join(text.split()))):
         if row and columns(row + part.rstrip()) > room:
             yield row.rstrip()
             row = ""
         row += part if row else part.lstrip()
     yield row.rstrip()
+
+
+def breaks(text: str, room: int) -> list[int]:
+    """Where a text of one line is broken so that each line takes at most ``room`` columns, but for longer words."""
+    found, start = [], 0
+    for part in _PART.finditer(text):
+        if part.start() > start and columns(text[start : part.end()].rstrip()) > room:
+            start = part.start()
+            found.append(start)
+    return found
+
+
+def widest(text: str) -> int:
+    """How many columns the widest part of a text takes that isn't broken."""
+    return max((columns(part.strip()) for part in _PART.findall(text)), default=0)

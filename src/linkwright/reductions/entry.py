@@ -16,7 +16,7 @@ from linkwright.expressions.fields import Expression, Frozen, Name, fault
 from linkwright.expressions.typed_fields import Context, Ends, Quantity, Ref, Scope
 from linkwright.expressions.units import Dimension, UnitError, unit
 from linkwright.expressions.written import Fault, FrozenDict, short_text
-from linkwright.findings import Said
+from linkwright.findings import Joined, Said
 from linkwright.notation.registry import Registry
 from linkwright.plugins import load
 
@@ -81,7 +81,7 @@ class Measure(Frozen):
             return handler(raw)
         given = {key: value for key, value in raw.items() if value is not None}
         entries = entries_of(given)
-        named, known = (", ".join(entry.reduction for entry in some) for some in (entries, ENTRIES.values()))
+        named, known = (Joined(entry.reduction for entry in some) for some in (entries, ENTRIES.values()))
         if len(entries) > 1:
             raise fault("measure.reduction", given=named, known=known)
         for code, data in (wrong for entry in ENTRIES.values() if entries for wrong in entry.key_faults(given)):
@@ -91,7 +91,7 @@ class Measure(Frozen):
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
         if cls is Measure:
-            yield "measure.reduction", {"given": "-", "known": ", ".join(ENTRIES)}
+            yield "measure.reduction", {"given": "-", "known": Joined(ENTRIES)}
 
     @model_serializer(mode="wrap")
     def _reduction_first(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:

@@ -105,7 +105,7 @@ def _measure(measure: Measure) -> Sequence[str]:
     judged = "–"
     if measure.verdict is not None:
         judged = mark(measure.verdict, say("report.pass" if measure.verdict else "report.fail"))
-    requirement = markup(measure.requirement) if measure.requirement else "–"
+    requirement = f'<span class="line">{markup(measure.requirement)}</span>' if measure.requirement else "–"
     return (f"<b>{markup(measure.name)}</b>{text}", values, where, requirement, judged)
 
 

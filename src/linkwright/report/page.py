@@ -5,10 +5,12 @@ from __future__ import annotations
 import re
 from functools import partial
 
+from linkwright.drawing.charts import named
+from linkwright.findings import Joined, Term, Text
 from linkwright.presentation.html_file import asset, html_file
 from linkwright.presentation.payload import script_json
 from linkwright.report import sections
-from linkwright.report.data import ReportData
+from linkwright.report.data import Plot, ReportData
 from linkwright.report.html_blocks import section
 from linkwright.words import say
 
@@ -76,9 +78,17 @@ def _words(data: ReportData) -> dict[str, object]:
     return {
         "texts": {key: say(key) for key in SCRIPT_WORDS},
         "time": str(data["time"]["label"]),
+        "axis": str(named(data["time"]["label"], data["time"]["unit"])),
         "titles": [str(plot["title"]) for plot in data["plots"]],
+        "labels": [str(_label(plot)) for plot in data["plots"]],
         "areas": [str(area["name"]) for area in data["scene"].get("areas", ())],
     }
+
+
+def _label(plot: Plot) -> Text:
+    """What a plot shows, for those who don't see it."""
+    names = Joined(series["name"] for series in plot["series"])
+    return Term("colon", first=named(plot["title"], plot["unit"]), then=names)
 
 
 def _inlined(module: str) -> str:

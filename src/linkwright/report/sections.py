@@ -70,7 +70,7 @@ def _findings(data: ReportData, name: str, found: Sequence[Failure], kind: str, 
         return ""
     rows = "".join(
         f"<li><p><code>{markup(f['code'])}</code> {_lines(f['what'])}</p>"
-        + (f"<p><b>{markup(say('report.mend'))}:</b> {_lines(f['mend'])}</p>" if f["mend"] else "")
+        + (f"<p><b>{markup(say('report.mend'))}</b> {_lines(f['mend'])}</p>" if f["mend"] else "")
         + "</li>"
         for f in found
     )

@@ -10,7 +10,7 @@ from linkwright.elements.cylinder import end_of, links_of
 from linkwright.elements.entries import NOUNS
 from linkwright.escape import printed
 from linkwright.expressions import units as u
-from linkwright.findings import Joined, Said, Text
+from linkwright.findings import CLAUSES, Joined, Said, Text
 from linkwright.kernels import Compiled
 from linkwright.kernels.motions import rate_unit
 from linkwright.laws.curve import ROUND_OFF
@@ -26,32 +26,32 @@ def _fact(name: str, text: Text) -> Fact:
 
 
 def _higher(name: str, kind: JointKind, links: tuple[str, ...]) -> Said:
-    return Said("fact.higher.text", name=name, kind=kind.title, links=", ".join(links))
+    return Said("fact.higher.text", name=name, kind=kind.title, links=Joined(links))
 
 
 def facts(compiled: Compiled) -> list[Fact]:
     """The structure in sentences: links, inferred pins, slides, mobility, order of solution."""
     topology: Topology = compiled.structure.topology
     m = compiled.mechanism
-    lines = [_fact("links", Said("fact.links.text", moving=len(topology.moving), names=", ".join(topology.moving)))]
-    pins = [Said("fact.pin", name=pin.name, links=", ".join(pin.links)) for pin in topology.pins.values()]
-    lines.append(_fact("pins", Said("fact.pins.text", pins=Joined(pins, "; ") if pins else "-")))
-    slides = [Said("fact.pin", name=name, links=", ".join(joint.links)) for name, joint in m.prismatic_joints()]
+    lines = [_fact("links", Said("fact.links.text", moving=len(topology.moving), names=Joined(topology.moving)))]
+    pins = [Said("fact.pin", name=pin.name, links=Joined(pin.links)) for pin in topology.pins.values()]
+    lines.append(_fact("pins", Said("fact.pins.text", pins=Joined(pins, CLAUSES) if pins else "-")))
+    slides = [Said("fact.pin", name=name, links=Joined(joint.links)) for name, joint in m.prismatic_joints()]
     if slides:
-        lines.append(_fact("slides", Joined(slides, "; ")))
+        lines.append(_fact("slides", Joined(slides, CLAUSES)))
     higher = [c for c in topology.but_pins if not c.kind.places]
     if higher:
-        lines.append(_fact("higher", Joined((_higher(c.joint, c.kind, c.links) for c in higher), "; ")))
+        lines.append(_fact("higher", Joined((_higher(c.joint, c.kind, c.links) for c in higher), CLAUSES)))
     pinned = {point for pin in topology.pins.values() for _, point in pin.members}
     pinned |= {end_of(link) for name in m.cylinders for link in links_of(name)}  # no names of the file's
     pinned |= {end for c in higher for end in m.joints[c.joint].joint_points}
     lone = [point for point in compiled.quantities.signals.homes if point not in pinned]
     if lone:
-        lines.append(_fact("lone", Said("fact.lone.text", points=", ".join(lone))))
+        lines.append(_fact("lone", Said("fact.lone.text", points=Joined(lone))))
     if compiled.plane is not None:
         lines.append(_fact("plane", _plane(compiled, compiled.plane)))
     if m.sketch:
-        lines.append(_fact("parameters", ", ".join(_parameters(compiled))))
+        lines.append(_fact("parameters", Joined(_parameters(compiled))))
     motors = len(compiled.graph.motors)
     mobility = Said(
         "fact.mobility.text",
@@ -65,17 +65,17 @@ def facts(compiled: Compiled) -> list[Fact]:
         lines.append(_fact("drives", Joined(understood.drives(compiled), "\n")))
     lines.append(_fact("mobility", mobility))
     if order := _order(compiled):
-        lines.append(_fact("order", Joined(order, "; ")))
+        lines.append(_fact("order", Joined(order, CLAUSES)))
     masses = [link for link in topology.moving if m.has_mass(link)]
     without = [link for link in topology.moving if link not in masses]
-    said = Said("fact.mass.none", links=", ".join(without)) if without else Said("fact.mass.all")
+    said = Said("fact.mass.none", links=Joined(without)) if without else Said("fact.mass.all")
     if masses:
-        lines.append(_fact("mass", Said("fact.mass.text", links=", ".join(masses), without=said)))
+        lines.append(_fact("mass", Said("fact.mass.text", links=Joined(masses), without=said)))
     acting: dict[str, list[Text]] = understood.acting(compiled)
     laws: list[Text] = [law_fact(compiled, name) for name in compiled.motions]
     for name, said_of in (*((section, acting[section]) for section in reversed(NOUNS)), ("laws", laws)):
         if said_of:
-            lines.append(_fact(name, Joined(said_of, "; ")))
+            lines.append(_fact(name, Joined(said_of, CLAUSES)))
     return [*lines, _fact("gravity", understood.gravity(compiled))]
 
 
@@ -121,8 +121,8 @@ def _plane(compiled: Compiled, plane: LinkagePlane) -> Said:
     unit, size = compiled.quantities.unit_of(u.LENGTH)
     vectors = {key: _triple(getattr(plane, key)) for key in ("normal", "x", "y")}
     off = [f"{name} {value / size:.4g}" for name, value in plane.deviations.items() if abs(value) > 1e-9 * size]
-    how = Said("fact.plane.fitted", points=", ".join(plane.fitted)) if plane.fitted else Said("fact.plane.stated")
-    said = Said("fact.plane.off", points=", ".join(off), unit=unit) if off else Said("fact.plane.flat")
+    how = Said("fact.plane.fitted", points=Joined(plane.fitted)) if plane.fitted else Said("fact.plane.stated")
+    said = Said("fact.plane.off", points=Joined(off), unit=unit) if off else Said("fact.plane.flat")
     return Said("fact.plane.text", how=how, origin=_triple(plane.origin / size), unit=unit, off=said, **vectors)
 
 
@@ -141,7 +141,7 @@ def _order(compiled: Compiled) -> list[Said]:
             key = "output" if compiled.mechanism.drives[step.drive].output else "driven"
             lines.append(Said(f"fact.order.{key}", **said))
             continue
-        links = ", ".join(step.links)
+        links = Joined(step.links)
         mode = compiled.assembly.rules.get(step, "") if isinstance(step, Group) else ""
         key = "fact.order.mode" if mode else "fact.order.group"
         lines.append(Said(key, links=links, signature=step.signature, mode=mode))

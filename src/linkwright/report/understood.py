@@ -12,7 +12,7 @@ from linkwright.elements.entries import NOUNS
 from linkwright.elements.mover import Mover
 from linkwright.expressions import units as u
 from linkwright.expressions.units import Dimension
-from linkwright.findings import Said, Text
+from linkwright.findings import Joined, Said, Text
 from linkwright.kernels import Compiled
 from linkwright.model.plausible import amount
 
@@ -76,7 +76,7 @@ def _motion(compiled: Compiled, name: str) -> Said:
     at = [float(np.asarray(d).flat[0]) for d in compiled.laws[name](np.zeros(1)).d[:3]]
     said = {"start": amount(q, at[0], value), "speed": _speed(compiled, at[1], rate)}
     if (follower := compiled.mechanism.followers.get(name)) is not None:
-        laws = ", ".join(follower.laws.values())
+        laws = Joined(follower.laws.values())
         return Said("fact.law.follower", law=laws, **said) if laws else Said("fact.law.given", **said)
     drive = compiled.mechanism.drives[name]
     if drive.position is not None:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.elements.joint import Rate
-from linkwright.findings import Term
+from linkwright.findings import Joined, Term
 from linkwright.graph.rows import determinants, spans
 from linkwright.kernels.kernel_selection import KernelChoice, choose
 from linkwright.results.independent_check import Reports
@@ -116,7 +116,7 @@ def _changes(run: Run, group: str) -> tuple[float, ...]:
 
 def _branch(rule: str, times: tuple[float, ...]) -> str | Term:
     """The rule that a group keeps, and when its branch changes."""
-    listed = ", ".join(f"{time:.6g}" for time in times)
+    listed = Joined(f"{time:.6g}" for time in times)
     return Term("branch-changes", rule=rule, times=listed) if times else rule
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined, Term
 from linkwright.groups import REGISTRY
 from linkwright.model.mechanism import Mechanism
 from linkwright.structure.placed import PlacedLinks
@@ -52,10 +52,10 @@ class _GroupSearch(PlacedLinks):
             acting, moved = (own, self.topology.acting(name)), (self.drive(name), self.topology.drivable_joints(name))
             for drive, options in [acting, moved] if own.output else [acting]:
                 if not options:
-                    kind = "revolute" if drive.turns else "prismatic"
+                    kind = Term("kind-revolute" if drive.turns else "kind-prismatic")
                     self.note("structure.drive-no-joint", path, link=drive.link, on=drive.on, joint=kind)
                 elif len(options) > 1:
-                    joints = ", ".join(c.joint for c in options)
+                    joints = Joined(c.joint for c in options)
                     data = {"link": drive.link, "on": drive.on, "joints": joints}
                     self.note("structure.drive-two-joints", path, **data)
                 else:

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 
 from linkwright.expressions.unknown import alike
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined
 from linkwright.model.mechanism import FRAME
 from linkwright.structure.freedoms import Freedoms
 from linkwright.structure.placed import PlacedLinks
@@ -31,7 +31,7 @@ def unsolved(placed: PlacedLinks) -> Iterator[Finding]:
     freedoms = placed.freedoms()
     full = list(freedoms.overfull())
     for links, excess in full:
-        yield Finding("structure.overconstrained", ("links", links[0]), {"links": ", ".join(links), "excess": excess})
+        yield Finding("structure.overconstrained", ("links", links[0]), {"links": Joined(links), "excess": excess})
     crowded = {link for links, _ in full for link in links}
     unpinned: set[object] = set()
     parts = [(part, freedoms.loose(part)) for part in placed.parts(placed.remaining_links)]
@@ -45,7 +45,7 @@ def unsolved(placed: PlacedLinks) -> Iterator[Finding]:
                 yield finding
             unpinned |= {pair} if pair else set()
         elif crowded.isdisjoint(part):
-            yield Finding("structure.loop-of-slides", ("links", part[0]), {"links": ", ".join(part)})
+            yield Finding("structure.loop-of-slides", ("links", part[0]), {"links": Joined(part)})
 
 
 def _loose(
@@ -53,7 +53,7 @@ def _loose(
 ) -> Finding:
     """What a connected part of the links lacks: a pin, by the spelling of its points, or a drive."""
     links = part if len(part) <= MANY else list(free)
-    data: dict[str, object] = {"links": ", ".join(links[:MANY]), "freedom": sum(free.values())}
+    data: dict[str, object] = {"links": Joined(links[:MANY]), "freedom": sum(free.values())}
     for (link, point), (on, other) in _alike(placed.topology, part, cutoff):
         if freedoms.could_join(link, on):
             data |= {"point": point, "link": link, "other": other, "on": on}
@@ -107,7 +107,7 @@ def redundant(topology: Topology, steps: Sequence[Step]) -> Iterator[Finding]:
     links |= {c.joint: c.links for c in topology.but_pins}
     for name, joined in links.items():
         if used[name] < needed.get(name, 1):
-            yield Finding("structure.redundant", ("joints", name), {"joint": name, "links": ", ".join(joined)})
+            yield Finding("structure.redundant", ("joints", name), {"joint": name, "links": Joined(joined)})
 
 
 def immovable_outputs(topology: Topology, steps: Sequence[Step]) -> Iterator[Finding]:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions import units as u
-from linkwright.findings import Finding, Term
+from linkwright.findings import Finding, Joined, Term
 from linkwright.graph.assembly import shortfall_at, shortfall_data
 from linkwright.graph.rows import Determinant, Named, ReachRow, Span, reaches, spans
 from linkwright.kernels import Compiled
@@ -59,7 +59,7 @@ def stuck(run: Run) -> list[Finding]:
         end = follower.path.end
         if end is None or end >= run.stop:
             continue
-        data: dict[str, Any] = {"group": follower.higher_group.label, "links": ", ".join(follower.higher_group.links)}
+        data: dict[str, Any] = {"group": follower.higher_group.label, "links": Joined(follower.higher_group.links)}
         data |= {"time": f"{end:.6g}", "start": end, "stop": run.stop}
         findings.append(
             Finding("motion.stuck", ("links", follower.higher_group.links[0]), data | drive_value(run, end))

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from linkwright.expressions import units as u
 from linkwright.expressions.units import Dimension
-from linkwright.findings import Finding, ModelError, enumerated
+from linkwright.findings import CLAUSES, Finding, Joined, ModelError, Text, enumerated
 from linkwright.graph.rows import Named, ReachRow
 from linkwright.kernels import Compiled
 from linkwright.kernels.change_points import GAP, Passage, Passages, unwrapped
@@ -66,15 +66,17 @@ def warnings(run: Run) -> list[Finding]:
     for passage in run.compiled.passages.every:
         if passage.at_start:
             rules = [rule for g, rule in run.compiled.assembly.rules.items() if g.label in passage.groups]
-            found.append(_finding(run, "motion.starts-at-change-point", passage, "warning", rules="; ".join(rules)))
+            found.append(
+                _finding(run, "motion.starts-at-change-point", passage, "warning", rules=Joined(rules, CLAUSES))
+            )
         if passage.poles:
             signals = _listed(list(passage.poles))
             found.append(_finding(run, "motion.unbounded-forces", passage, "warning", signals=signals))
     return found
 
 
-def _listed(names: list[str], most: int = 6) -> str:
-    return ", ".join(names[:most]) + (", ..." if len(names) > most else "")
+def _listed(names: list[str], most: int = 6) -> Text:
+    return Joined([*names[:most], *(["..."] if len(names) > most else [])])
 
 
 def _finding(run: Run, code: str, passage: Passage, severity: str, **data: object) -> Finding:

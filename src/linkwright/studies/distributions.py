@@ -21,6 +21,7 @@ from pydantic import BeforeValidator, Discriminator, Field, Tag
 from linkwright.elements.fields import Interval
 from linkwright.expressions.fields import Expression, Frozen, TypedParts, Written
 from linkwright.expressions.written import Fault, fault, unexpected
+from linkwright.findings import Joined
 from linkwright.notation.registry import Registry
 
 Array = NDArray[np.float64]
@@ -220,7 +221,7 @@ class Triangular(Distribution):
     def number_faults(self, numbers: list[float]) -> Iterator[Fault]:
         low, mode, high = numbers
         if not (low <= mode <= high and low < high):
-            yield "study.triangle", {"values": ", ".join(part.text[:20] for part in self.triangular)}
+            yield "study.triangle", {"values": Joined(part.text[:20] for part in self.triangular)}
 
     def spread(self, numbers: list[float]) -> ParameterSpread:
         low, mode, high = numbers

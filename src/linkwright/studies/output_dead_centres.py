@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined
 from linkwright.graph.rows import OutputLever
 from linkwright.results import Run
 from linkwright.results.stationary import crossings, stationary
@@ -41,7 +41,7 @@ def powerless(run: Run) -> list[Finding]:
     last, found = -np.inf, []
     for time in times.tolist():
         if time - last > 2 * (run.stop - run.start) / run.grid:
-            data = {"motors": ", ".join(outputs), "time": f"{time:.6g}"} | drive_value(run, time)
+            data = {"motors": Joined(outputs), "time": f"{time:.6g}"} | drive_value(run, time)
             found.append(Finding("motion.dead-centre", ("drives", outputs[0]), data))
         last = time
     return found

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions import units as u
-from linkwright.findings import Finding, Term
+from linkwright.findings import Finding, Joined, Term
 from linkwright.model.plausible import amount
 from linkwright.results import Run
 from linkwright.structure import Group
@@ -49,8 +49,8 @@ def crossed(run: Run) -> Iterator[Finding]:
         places = _places(run, pins)
         p, q, r, s = (places[pin] for pin in pins)
         if float(np.median(np.abs((q - p) - (r - s)))) > APART * max(four.lengths):
-            shown = ", ".join(amount(compiled.quantities, length, u.LENGTH) for length in (a, b))
-            data = {"links": ", ".join(four.links), "lengths": shown, "rule": _other_rule(run, four)}
+            shown = Joined(amount(compiled.quantities, length, u.LENGTH) for length in (a, b))
+            data = {"links": Joined(four.links), "lengths": shown, "rule": _other_rule(run, four)}
             moving = next(link for link in four.links if link in compiled.structure.topology.moving)
             yield Finding("plausible.antiparallelogram", ("links", moving), data, severity="note")
 

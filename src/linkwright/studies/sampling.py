@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from linkwright.blocks import UNIT, Carried, Threads, carry
 from linkwright.blocks.runners import opened
-from linkwright.findings import Finding, ModelError, Term
+from linkwright.findings import Finding, Joined, ModelError, Term
 from linkwright.kernels import KERNELS
 from linkwright.kernels.kernel_selection import KernelChoice, choose
 from linkwright.measures import BoundMeasure, bound_measures
@@ -100,7 +100,7 @@ def refused(nominal: Run, options: Sampling, names: Iterable[str]) -> list[Findi
     what varies."""
     found = unassembled(nominal) or singular(nominal)
     if found and options.cycle.through == "keep":
-        path, data = ("studies", options.study), {"names": ", ".join(names)}
+        path, data = ("studies", options.study), {"names": Joined(names)}
         return carry_through_change_points(nominal)[1] or [Finding("varied.passage", path, data)]
     return found or locked(nominal)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from typing import Any, ClassVar, Protocol, TypeVar
 
@@ -9,7 +10,7 @@ from pydantic import BaseModel, ValidationError
 
 from linkwright.expressions.unknown import near
 from linkwright.expressions.written import describe
-from linkwright.findings import Finding, Term
+from linkwright.findings import Finding, Term, alternatives
 from linkwright.model.faults import finding_of, written_path
 
 
@@ -86,4 +87,7 @@ def _reason(fault: Any) -> Term | str:
     kind = _REASONS.get(fault["type"])
     if kind is None:
         return str(fault["msg"])
-    return Term(f"must-{kind}", given=describe(fault["input"]), **fault.get("ctx", {}))
+    data = dict(fault.get("ctx", {}))
+    if kind == "choice":
+        data["expected"] = alternatives(re.findall("'([^']*)'", str(data["expected"])))
+    return Term(f"must-{kind}", given=describe(fault["input"]), **data)

@@ -202,7 +202,7 @@ def test_a_dead_centre_is_told_with_the_range_and_the_masters_that_do() -> None:
     crank = parse_document(four_bar(40, 120, 80, 100, 1, 0.7))
     (finding,) = lw.export(crank, "process-simulate", master="D", range=[0, 6]).failures
     assert finding.code == "functions.master-turns"
-    assert finding.data["others"] == "O, B"
+    assert str(finding.data["others"]) == "O, B"
     # The rocker turns back where crank and coupler are in line: by the law of cosines.
     fold = math.acos(((120 - 40) ** 2 + 100**2 - 80**2) / (2 * (120 - 40) * 100)) + math.pi
     stretch = math.acos(((120 + 40) ** 2 + 100**2 - 80**2) / (2 * (120 + 40) * 100))

@@ -185,7 +185,7 @@ def test_pivots_in_one_place_are_pointed_out() -> None:
     assert done.done
     (warning,) = done.warnings
     assert warning.code == "functions.still"
-    assert warning.data["joints"] == "C, B"
+    assert str(warning.data["joints"]) == "C, B"
     assert not exported().warnings
 
 

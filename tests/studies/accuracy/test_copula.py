@@ -10,6 +10,7 @@ from scipy import stats
 
 import linkwright as lw
 from linkwright.blocks import UNIT
+from linkwright.findings import Joined
 from linkwright.studies.accuracy.contributors import Contributors
 from linkwright.studies.accuracy.copula import CLOSED, cholesky, copula, definite, normal, pearson
 from linkwright.studies.accuracy.deviations import Deviations
@@ -86,7 +87,7 @@ def test_a_correlation_that_distributions_cannot_have() -> None:
     found = copula(some(["normal", "uniform"], [[1, 0.99], [0.99, 1]]))
     (finding,) = found.findings
     assert (finding.code, finding.severity) == ("accuracy.correlation-limit", "error")
-    assert finding.data == {"names": "a, b", "stated": "0.99", "limit": "0.9772"}
+    assert finding.data == {"names": Joined(["a", "b"]), "stated": "0.99", "limit": "0.9772"}
     assert not copula(some(["normal", "uniform"], [[1, 0.977], [0.977, 1]])).findings
 
 

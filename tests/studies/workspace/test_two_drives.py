@@ -249,7 +249,7 @@ def test_pins_that_meet_along_a_curve_or_at_an_end_are_told() -> None:
     (found,) = findings(coaxial(12))
     assert found.code == "workspace.pins-meet"
     (found,) = findings(coaxial(12, drives={"motor": [0, 90], "servo": [90, 180]}))
-    assert found.code == "workspace.pins-meet" and found.data["at"] == "motor = 90 deg, servo = 90 deg"
+    assert found.code == "workspace.pins-meet" and str(found.data["at"]) == "motor = 90 deg, servo = 90 deg"
     assert findings(coaxial(12, drives={"motor": [0, 80], "servo": [90, 180]})) == []
 
 

@@ -11,6 +11,7 @@ from linkwright.expressions.fields import AssemblyRule, Expression, Frozen, Line
 from linkwright.expressions.typed_fields import ELSEWHERE, Quantity, Ref, Sign
 from linkwright.expressions.units import ANGLE, LENGTH
 from linkwright.expressions.written import Fault
+from linkwright.findings import Joined
 
 _RADIUS = Quantity(LENGTH, Sign.POSITIVE, "radius")
 
@@ -28,7 +29,7 @@ class Second(Frozen):
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
         places = [key for key in ("base", "at", "face") if key in given]
         if len(places) > 1:
-            yield "cam.second-twice", {"given": ", ".join(places)}
+            yield "cam.second-twice", {"given": Joined(places)}
 
     @property
     def touches(self) -> str | None:
@@ -58,7 +59,7 @@ class Cam(Frozen):
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
         contacts = [key for key in ("roller", "knife", "face") if key in given]
         if len(contacts) != 1 or ("at" in given) != ("roller" in given):
-            yield "cam.contact", {"given": ", ".join([*contacts, *(["at"] if "at" in given else [])]) or "-"}
+            yield "cam.contact", {"given": Joined([*contacts, *(["at"] if "at" in given else [])]) or "-"}
         closed, second = given.get("closed"), given.get("second")
         if closed == "groove" and "roller" not in given:
             yield "cam.groove", {}
@@ -67,7 +68,7 @@ class Cam(Frozen):
         others = {"roller": {"face"}, "face": {"at", "roller"}, "knife": {"face", "roller"}}
         wrong = {*second} & others[contacts[0]] if isinstance(second, Mapping) and len(contacts) == 1 else ()
         if wrong:
-            yield "cam.second-other", {"given": ", ".join(sorted(wrong)), "first": contacts[0]}
+            yield "cam.second-other", {"given": Joined(sorted(wrong)), "first": contacts[0]}
 
     def contacts(self, path: tuple[str | int, ...]) -> Iterator[tuple[tuple[str | int, ...], Cam | Second]]:
         """What states a contact, with its path: the cam itself, and what is stated of the second disc."""

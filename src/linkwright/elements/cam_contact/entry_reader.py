@@ -9,7 +9,7 @@ from linkwright.elements.cam_contact.entry import Cam
 from linkwright.expressions.fields import AssemblyRule
 from linkwright.expressions.typed_fields import Path
 from linkwright.expressions.unknown import unknown_point
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined
 
 
 def read(m: Any, name: str, pins: Mapping[str, Any]) -> dict[str, Any] | list[Finding]:
@@ -84,9 +84,7 @@ class _EntryReader:
         law = self.m.laws.get(self.cam.law)
         if law is not None and (law.over, law.of, law.beyond) != ("angle", value, "repeat"):
             given = {"over": law.over, "of": law.of, "beyond": law.beyond}
-            self.note(
-                "cam.law", "law", law=self.cam.law, of=value, given=", ".join(f"{k}: {v}" for k, v in given.items())
-            )
+            self.note("cam.law", "law", law=self.cam.law, of=value, given=Joined(f"{k}: {v}" for k, v in given.items()))
 
     def side(self, shaft: Any, pivot: Any, slide: str | None) -> int:
         """+1 or -1, as followers have it."""

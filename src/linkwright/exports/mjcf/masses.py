@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined
 from linkwright.graph.geometry import extent
 from linkwright.kernels import Compiled
 
@@ -41,9 +41,9 @@ def written_masses(compiled: Compiled, tiny: float) -> tuple[dict[str, Mass], li
         masses[link] = Mass(float(mass), (float(centre.x), float(centre.y)), float(inertia))
     size, found = f"{radius:.3g} m", []
     if light:
-        data = {"links": ", ".join(light), "mass": f"{tiny:.3g} kg", "radius": size}
+        data = {"links": Joined(light), "mass": f"{tiny:.3g} kg", "radius": size}
         found.append(Finding("export.no-mass", ("links",), data, severity="warning"))
     if small:
-        data = {"links": ", ".join(small), "radius": size}
+        data = {"links": Joined(small), "radius": size}
         found.append(Finding("export.no-inertia", ("links",), data, severity="warning"))
     return masses, found

@@ -22,7 +22,7 @@ from linkwright.exports.registry import Exported, register
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen
 from linkwright.expressions.typed_fields import Quantity
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined
 from linkwright.kernels import Compiled
 from linkwright.model.csv_text import cell, head, table_text
 from linkwright.model.mechanism import FOLLOWING
@@ -60,7 +60,7 @@ class Mjcf:
         findings += duration(compiled, None, self.name, options.duration)[1]
         findings += unwritten(compiled, self.name)
         if closing := compiled.structure.topology.closing_slides:
-            data = {"name": self.name, "joints": ", ".join(closing)}
+            data = {"name": self.name, "joints": Joined(closing)}
             findings.append(Finding("export.cannot-close-slides", ("exports", self.name), data))
         return findings
 
@@ -75,7 +75,7 @@ class Mjcf:
         t = run.t if stop else run.t[:1]
         q, v = coordinates(run, tree.holds, driven, t)
         if lost := [hold.name for hold, row in zip(tree.holds, q, strict=True) if not np.isfinite(row).all()]:
-            data = {"name": self.name, "joints": ", ".join(lost), "duration": f"{run.stop:.6g}"}
+            data = {"name": self.name, "joints": Joined(lost), "duration": f"{run.stop:.6g}"}
             return Exported(failures=[Finding("export.too-long", ("exports", self.name, "duration"), data)])
         controls = np.array([motor.sign * q[tree.holds.index(motor.hold)] for motor in driven]).reshape(-1, t.size)
         moving = compiled.structure.topology.moving
@@ -118,7 +118,7 @@ def _left_out(compiled: Compiled) -> list[Finding]:
     paths = [compiled.mechanism.path_of(name) for name in compiled.mechanism.followers]
     left += [("export.followers", of, [name for section, name in paths if section == of]) for of in FOLLOWING]
     return [
-        Finding(code, (section,), {"names": ", ".join(names)}, severity="warning")
+        Finding(code, (section,), {"names": Joined(names)}, severity="warning")
         for code, section, names in left
         if names
     ]

@@ -16,7 +16,7 @@ import numpy as np
 from linkwright.exports.process_simulate.linkage import Linkage, Refused
 from linkwright.exports.process_simulate.trees import Array, Tree, add, call, divide, multiply, negated, number
 from linkwright.exports.process_simulate.vectors import Angle, Vector, cosine, sine
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined
 from linkwright.notation.registry import Registry
 
 CLEAR = 0.05
@@ -125,7 +125,7 @@ def _spread(links: Linkage, vector: Vector, reference: Angle) -> tuple[float, fl
 
 
 def _too_far(links: Linkage, vector: Vector, spread: float, dialect: Dialect) -> Finding:
-    joints = ", ".join(dict.fromkeys(j for arm in vector.arms for j in [links.where(arm.angle)] if j))
+    joints = Joined(dict.fromkeys(j for arm in vector.arms for j in [links.where(arm.angle)] if j))
     data = {
         "joints": joints or "-",
         "spread": f"{math.degrees(spread):.4g}",

@@ -24,7 +24,7 @@ from linkwright.exports.process_simulate.reach import drive_reach
 from linkwright.exports.process_simulate.splitting import least, split
 from linkwright.exports.process_simulate.trees import Array, Tree, evaluate, multiply, number
 from linkwright.exports.process_simulate.trees import joint as joint_value
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
@@ -223,7 +223,7 @@ def _links(
 def _no_closed_form(fits: list[tuple[HigherGroup, int]], error: float, drive: str) -> Finding:
     """The finding on the first higher group, with the largest error of all functions."""
     higher_group, degree = fits[0][0], max(degree for _, degree in fits)
-    data = {"links": ", ".join(higher_group.links), "group": higher_group.signature, "drive": drive}
+    data = {"links": Joined(higher_group.links), "group": higher_group.signature, "drive": drive}
     return Finding(
         "functions.no-closed-form",
         ("links", higher_group.links[0]),

@@ -10,7 +10,7 @@ import numpy as np
 from linkwright.exports.process_simulate.joints import ToolJoint
 from linkwright.exports.process_simulate.trees import Array, Tree, add, evaluate, joint, multiply, number
 from linkwright.exports.process_simulate.vectors import Angle, Arm, Vector
-from linkwright.findings import Finding, enumerated
+from linkwright.findings import Finding, Joined, enumerated
 from linkwright.graph.geometry import Geometry
 from linkwright.notation import Pair
 from linkwright.structure import FRAME, Connection, Group, Structure, Wedge
@@ -35,7 +35,7 @@ def shared_pin(drive: str, pin: str) -> Finding:
 
 def wedge(step: Wedge) -> Finding:
     """That a link on two slides has no function."""
-    data = {"links": ", ".join(step.links), "slides": enumerated([c.joint for c in step.outer])}
+    data = {"links": Joined(step.links), "slides": enumerated([c.joint for c in step.outer])}
     return Finding("functions.wedge", ("exports", "process-simulate"), data)
 
 
@@ -225,7 +225,7 @@ class Linkage:
         """How much there is to write for an angle."""
         return sum(1 if self.symbols[s].op in ("T", "D") else 10 for s, _ in angle.parts)
 
-    def where(self, angle: Angle) -> str:
+    def where(self, angle: Angle) -> Joined:
         """The joints whose values an angle holds, in words."""
         names = [tree.name for s, _ in angle.parts for tree in self.symbols[s].every() if tree.name]
-        return ", ".join(dict.fromkeys(names))
+        return Joined(dict.fromkeys(names))

@@ -18,7 +18,7 @@ from linkwright.exports.process_simulate.linkage import Refused
 from linkwright.exports.process_simulate.motion import ToolMotion
 from linkwright.exports.process_simulate.reach import SHORTER, DriveReach, offered
 from linkwright.exports.process_simulate.trees import Array
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.motion import Motion as Pose
 from linkwright.graph.motion import solve_motion, solve_step
@@ -97,10 +97,10 @@ def mastered(
     Raises :class:`Refused` where the master's value doesn't say where the mechanism is.
     """
     if followers := compiled.mechanism.followers:
-        raise Refused(Finding("functions.master-cam", PATH, {"joint": master.name, "drives": ", ".join(followers)}))
+        raise Refused(Finding("functions.master-cam", PATH, {"joint": master.name, "drives": Joined(followers)}))
     around = replace(reach, low=reach.zero - 2 * np.pi, high=reach.zero + 2 * np.pi) if reach.full else reach
     motion = Mastered(compiled, drive, around, master, 1.0)
-    data = {"joint": master.name, "others": ", ".join(_steady(compiled, drive, joints, reach, master)) or "-"}
+    data = {"joint": master.name, "others": Joined(_steady(compiled, drive, joints, reach, master)) or "-"}
     if np.ptp(motion.since_zero([master], np.linspace(*motion.hull, 181))) < STILL:
         raise Refused(Finding("functions.master-still", PATH, data))
     turns = crossings(lambda value: motion.rates([master], value)[0], *motion.hull, KNOTS)

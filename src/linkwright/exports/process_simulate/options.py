@@ -21,7 +21,7 @@ from linkwright.expressions.fields import Expression, Frozen, FrozenDict
 from linkwright.expressions.fields import Name as NameField
 from linkwright.expressions.typed_fields import Context, Quantity, of_drive
 from linkwright.expressions.unknown import unknown
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined
 from linkwright.kernels import Compiled
 from linkwright.studies.limits.study import WIDEST
 from linkwright.studies.numbers import constant, interval
@@ -114,7 +114,7 @@ def check(compiled: Compiled, options: ProcessSimulateOptions) -> Iterator[Findi
     if len(told) > MOST:
         yield Finding("functions.too-many", PATH, {"count": len(told), "limit": MOST})
     if len(drives) != 1:
-        yield Finding("functions.drives", ("drives",), {"count": len(drives), "names": ", ".join(drives)})
+        yield Finding("functions.drives", ("drives",), {"count": len(drives), "names": Joined(drives)})
         return
     moved = _driven_joint(compiled, drives[0], joints) if options.master is None else options.named_master(joints)
     if moved is None and options.master is not None:
@@ -141,7 +141,7 @@ def _names(joints: list[ToolJoint]) -> Iterator[Finding]:
         if not ALLOWED.fullmatch(j.name):
             yield Finding("functions.name", (*PATH, "names"), {"joint": j.joint, "name": j.name[:60]})
         if j.name in first:
-            data = {"name": j.name[:60], "joints": f"{first[j.name]}, {j.joint}"}
+            data = {"name": j.name[:60], "joints": Joined([first[j.name], j.joint])}
             yield Finding("functions.same-name", (*PATH, "names"), data)
         first.setdefault(j.name, j.joint)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined, Text
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
 from linkwright.studies.limits.extremes import touches
@@ -148,8 +148,8 @@ def _beyond(
     return Finding("functions.toggle", (*PATH[:-1], key), data | offered(allowed, size))
 
 
-def _named(groups: tuple[str, ...]) -> str:
-    return ", ".join(dict.fromkeys(groups)) or "-"
+def _named(groups: tuple[str, ...]) -> Text:
+    return Joined(dict.fromkeys(groups)) or "-"
 
 
 def offered(allowed: tuple[float, float], size: float) -> dict[str, str]:

@@ -18,7 +18,7 @@ from linkwright.escape import markup
 from linkwright.exports.process_simulate.facts import HingeFacts
 from linkwright.exports.process_simulate.functions import JointFunction, JointFunctions
 from linkwright.exports.process_simulate.sheet_drawing import anchors, linkage, places
-from linkwright.findings import Said
+from linkwright.findings import SENTENCES, Joined, Said
 from linkwright.kernels import Compiled
 from linkwright.presentation.blocks import Chart
 from linkwright.presentation.html_file import html_file
@@ -103,7 +103,7 @@ def _linkage(compiled: Compiled, functions: JointFunctions, facts: HingeFacts) -
         notes.append(say("sheet.axis.flat"))
     else:
         notes.append(say("sheet.axis", normal=", ".join(_number_text(part) for part in compiled.plane.normal)))
-    note = f'<p class="note">{markup(" ".join(notes))}</p>'
+    note = f'<p class="note">{markup(Joined(notes, SENTENCES))}</p>'
     return f"<figure><figcaption>{markup(say('sheet.drawing'))}</figcaption>{drawn}<ol>{links}</ol>{note}</figure>"
 
 
@@ -229,7 +229,7 @@ def _charts(facts: HingeFacts) -> list[Chart]:
         title = say("sheet.chart.hand", point=facts.handle, unit=force_unit)
         chart(title, over, opening, [facts.hand / force])
     if facts.springs:
-        title = say("sheet.chart.springs", names=", ".join(facts.springs), unit=force_unit)
+        title = say("sheet.chart.springs", names=Joined(facts.springs), unit=force_unit)
         chart(title, over, opening, [row / force for row in facts.springs.values()])
     return made
 

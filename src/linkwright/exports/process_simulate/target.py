@@ -13,7 +13,7 @@ from linkwright.exports.process_simulate.options import ProcessSimulateOptions, 
 from linkwright.exports.process_simulate.sheet import sheet
 from linkwright.exports.process_simulate.text_files import check_table, pasteable, snippet
 from linkwright.exports.registry import Exported, register
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined
 from linkwright.kernels import Compiled
 from linkwright.studies import RunContext
 from linkwright.words import say
@@ -54,7 +54,7 @@ def _still(made: JointFunctions) -> Iterator[Finding]:
     """A warning where joints stay as they are: pivots may stand in one place by mistake."""
     still = [f.joint for f in made.functions if not f.helper and max(map(abs, f.limits)) < STILL]
     if still:
-        yield Finding("functions.still", PATH, {"joints": ", ".join(dict.fromkeys(still))}, severity="warning")
+        yield Finding("functions.still", PATH, {"joints": Joined(dict.fromkeys(still))}, severity="warning")
 
 
 def summary(made: JointFunctions, compiled: Compiled) -> dict[str, Any]:

@@ -702,7 +702,7 @@ function controls(root, facts, { say, time, real }) {
   const { usual, list } = speeds(real);
   for (const factor of list) {
     const option = html("option", { value: factor }, speed, `× ${factor}`);
-    if (factor === 1 && SECONDS[time.unit]) option.textContent += ` (${say("real_time")})`;
+    if (factor === 1 && SECONDS[time.unit]) option.textContent = say("real_time");
     option.selected = factor === usual;
   }
   const check = (parent, checked = true) => {
@@ -775,7 +775,7 @@ export function render({ model, el, words = {}, time = { unit: "s", label: "time
     picture.show(k, f);
     ui.slider.value = nearest;
     ui.readout.textContent = `${time.label} ${now.toFixed(decimals)} ${time.unit}`.trim();
-    const note = facts.gaps[nearest] ? `, ${say("not_assembled")}` : "";
+    const note = facts.gaps[nearest] ? ` ${say("not_assembled")}` : "";
     ui.slider.setAttribute("aria-valuetext", `${now.toFixed(decimals)} ${time.unit}${note}`);
     return nearest;
   };

@@ -70,7 +70,7 @@ function options(plot, { width, height, scale = 1 }) {
     gap: 4 * scale,
     values: (u, splits) => splits.map((value) => String(Number(value.toPrecision(7))).replace("-", "−")),
   };
-  const label = time.unit ? `${time.label}, ${time.unit}` : time.label;
+  const label = linkwrightWords.axis;
   const longest = (u, values) =>
     Math.max(...(values ?? [""]).map((v) => String(v).length), 3) * 6.4 * scale + 14 * scale;
   return {
@@ -167,10 +167,7 @@ function build(box) {
   );
   const values = legend(box.querySelector(".legend"), plot, chart);
   chart.over.setAttribute("role", "img");
-  chart.over.setAttribute(
-    "aria-label",
-    `${plot.title}, ${plot.unit}: ${plot.series.map((s) => s.name).join(", ")}`,
-  );
+  chart.over.setAttribute("aria-label", linkwrightWords.labels[Number(box.dataset.plot)]);
   const follow = () => {
     const left = chart.valToPos(time.values[index], "x");
     const inside = left >= 0 && left <= chart.over.clientWidth;

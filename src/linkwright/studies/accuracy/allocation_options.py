@@ -16,7 +16,7 @@ from linkwright.expressions.fields import Expression, Frozen
 from linkwright.expressions.typed_fields import Context, Quantity
 from linkwright.expressions.unknown import near
 from linkwright.expressions.written import Shortened
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined
 from linkwright.model.quantities import Quantities
 from linkwright.studies.accuracy.allocation_outcome import Allocation
 from linkwright.studies.accuracy.allocation_problem import Demand, Item, Problem
@@ -180,7 +180,7 @@ def _no_grade(one: Contributor, cost: Any, path: tuple[str, ...], rounding: bool
     if rounding and not isinstance(cost, Processes) and it_half(one, f"IT{FINEST}") is None:
         lacking = [f"IT{FINEST}"]
     if lacking:
-        yield Finding("accuracy.no-grade", path, {"name": one.name, "grades": ", ".join(lacking), "unit": one.unit})
+        yield Finding("accuracy.no-grade", path, {"name": one.name, "grades": Joined(lacking), "unit": one.unit})
 
 
 def _half_width_limits(

@@ -15,7 +15,7 @@ from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen, Text
 from linkwright.expressions.unknown import near
 from linkwright.expressions.written import Fault, FrozenDict
-from linkwright.findings import Finding, ModelError, raise_errors
+from linkwright.findings import Finding, Joined, ModelError, raise_errors
 from linkwright.kernels import Compiled
 from linkwright.kernels.parameter_batch import Varied
 from linkwright.kernels.tangents import Tangents
@@ -250,12 +250,12 @@ def _warnings(made: Calibration) -> Iterator[Finding]:
         if len(one.names) == 1:
             yield note("accuracy.no-effect", name=one.names[0])
             continue
-        yield note("accuracy.scale-open" if one.scaling else "accuracy.not-told-apart", names=", ".join(one.names))
+        yield note("accuracy.scale-open" if one.scaling else "accuracy.not-told-apart", names=Joined(one.names))
     if made.probability is not None and made.probability < UNLIKELY:
         ratio, share = made.chi_square / made.freedom, made.probability
         yield note("accuracy.poor-fit", ratio=f"{ratio:.3g}", share=f"{share:.2g}")
     if wrong := [one for one in made.observed if one.outlier]:
-        rows = ", ".join(dict.fromkeys(str(one.row) for one in wrong[:10]))
+        rows = Joined(dict.fromkeys(str(one.row) for one in wrong[:10]))
         yield note("accuracy.outliers", count=len(wrong), rows=rows)
     if not made.converged:
         yield note("accuracy.not-settled", step=f"{made.step:.2g}")

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from linkwright.drawing.charts import LEFT, LETTER, MOST_POSES, NARROW, TOP, Axes, named, shortened, thinned
 from linkwright.escape import markup
 from linkwright.expressions.units import TIME
-from linkwright.findings import Joined, Said, Text
+from linkwright.findings import Joined, Said, Term, Text
 from linkwright.presentation.blocks import Chart
 from linkwright.presentation.lettering import columns
 from linkwright.studies.accuracy.outcome import AccuracyOutcome, MonteCarlo, OutputDeviations, SignalDeviations
@@ -110,7 +110,7 @@ def _pareto(figure: OutputDeviations, outcome: AccuracyOutcome) -> Chart | None:
         y, text = float(axes.up(np.array(share))) - 5, f"{share:.3g}".replace("-", "−")
         shapes.append(f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="middle">{text}</text>')
     told = Joined(Joined([name, f"{share:.3g} %"], " ") for name, share in zip(names, shares.tolist(), strict=True))
-    return Chart(title, partial(axes.drawing, shapes, Joined([title, told], ": ")))
+    return Chart(title, partial(axes.drawing, shapes, Term("colon", first=title, then=told)))
 
 
 def _histogram(figure: OutputDeviations, found: MonteCarlo) -> Chart:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.language import parse
-from linkwright.findings import Finding, Term
+from linkwright.findings import Finding, Joined, Term
 from linkwright.measures import BoundMeasure
 from linkwright.studies.accuracy.clearance import PATH, Plays
 from linkwright.studies.accuracy.derivatives import Derivatives, Deviated
@@ -68,7 +68,7 @@ def unaffected(lacking: Mapping[str, Term]) -> list[Finding]:
     for name, why in lacking.items():
         reasons.setdefault(why, []).append(name)
     return [
-        Finding("clearance.no-figure", PATH, {"names": ", ".join(names), "why": why}, severity="warning")
+        Finding("clearance.no-figure", PATH, {"names": Joined(names), "why": why}, severity="warning")
         for why, names in reasons.items()
     ]
 

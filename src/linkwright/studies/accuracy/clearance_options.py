@@ -15,7 +15,7 @@ from linkwright.expressions.typed_fields import Quantity
 from linkwright.expressions.units import LENGTH
 from linkwright.expressions.unknown import near, proposed
 from linkwright.expressions.written import Shortened
-from linkwright.findings import Finding, Term
+from linkwright.findings import Finding, Joined, Term
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
 from linkwright.model.places import Path
@@ -102,7 +102,7 @@ def _of_joint(
         return
     yield from _beyond(name, entry, kind.plays, kind.title, path)
     if name in (loop := compiled.quantities.signals.looped):
-        yield Finding("clearance.indeterminate", path, {"name": name, "loop": ", ".join(loop)})
+        yield Finding("clearance.indeterminate", path, {"name": name, "loop": Joined(loop)})
     length = None if entry.length is None else lengths.get("length", math.nan)
     stated = StatedClearance(lengths.get("clearance", math.nan), length, entry.centre, entry.in_)
     geometry = Geometry(compiled.quantities, compiled.quantities.parameters)

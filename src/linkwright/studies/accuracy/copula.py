@@ -16,7 +16,7 @@ from math import asin, pi, sin, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
 
 Array = NDArray[np.float64]
@@ -74,7 +74,7 @@ def copula(contributors: Contributors) -> Copula:
                 known[key] = rho, pearson(every[a], every[b], rho)
             scores[i, j] = scores[j, i] = known[key][0]
             if abs(known[key][1] - r) > CLOSE:
-                names = f"{every[b].name}, {every[a].name}"
+                names = Joined([every[b].name, every[a].name])
                 data = {"names": names, "stated": f"{r:.4g}", "limit": f"{known[key][1]:.4g}"}
                 findings.append(Finding("accuracy.correlation-limit", PATH, data))
     mended = definite(scores)

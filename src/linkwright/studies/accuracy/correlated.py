@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.unknown import near
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined
 from linkwright.studies.accuracy.stated_options import Correlation
 
 Array = NDArray[np.float64]
@@ -48,7 +48,7 @@ def check(names: Sequence[str], stated: Sequence[Correlation]) -> Iterator[Findi
         for pair in dict.fromkeys(pairs):
             if pair in seen and seen[pair] != i:
                 sound = False
-                yield Finding("tolerance.correlation-pair", path, {"names": ", ".join(sorted(pair))})
+                yield Finding("tolerance.correlation-pair", path, {"names": Joined(sorted(pair))})
             seen.setdefault(pair, i)
     if sound and len(stated) > 1 and (least := _least(matrix(names, stated))) < -ROUND * len(names):
         yield Finding("tolerance.correlation-indefinite", PATH, {"least": f"{least:.3g}"})

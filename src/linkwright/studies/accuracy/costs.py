@@ -23,6 +23,7 @@ from pydantic import BeforeValidator, Discriminator, Tag, WithJsonSchema
 from linkwright.elements.fields import Interval
 from linkwright.expressions.fields import Frozen, fault
 from linkwright.expressions.written import plain_number, unexpected
+from linkwright.findings import Joined
 from linkwright.notation.registry import Registry
 
 Array = NDArray[np.float64]
@@ -144,7 +145,7 @@ def _numbers(law: str, count: int) -> BeforeValidator:
         if len(values) != count:
             raise unexpected("cost", raw)
         if not (0 <= values[0] < LARGEST and all(1 / LARGEST < value < LARGEST for value in values[1:])):
-            raise fault("accuracy.cost", law=law, given=", ".join(f"{value:g}" for value in values))
+            raise fault("accuracy.cost", law=law, given=Joined(f"{value:g}" for value in values))
         return tuple(values)
 
     return BeforeValidator(check)

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from linkwright.findings import Said, Text
+from linkwright.findings import Joined, Said, Text
 from linkwright.presentation.blocks import Table, table
 from linkwright.presentation.cells import UNKNOWN, Cell, NumberCell, Numbers, Unit
 from linkwright.presentation.json_numbers import known, listed
@@ -125,7 +125,7 @@ def design_sentences(allocation: Allocation | None, calibration: Calibration | N
     if calibration is not None:
         yield Said("accuracy.calibration", measured=len(calibration.observed), count=len(calibration.estimates))
         for same in calibration.confounded:
-            yield Said(f"accuracy.confounded{'.scaling' if same.scaling else ''}", names=", ".join(same.names))
+            yield Said(f"accuracy.confounded{'.scaling' if same.scaling else ''}", names=Joined(same.names))
         for one in calibration.observed:
             if one.outlier:
                 name, size = calibration.outputs[one.output], calibration.units[one.output][1]

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined
 from linkwright.kernels import Compiled
 from linkwright.kernels.motion_faults import asking
 from linkwright.kernels.motions import MotionReader
@@ -31,11 +31,11 @@ def check_laws(compiled: Compiled, deviations: Contributors) -> Iterator[Finding
             and _senseless(MotionReader(quantities, m.laws[law], given), law in askers)
         ]
         if wrong:
-            yield Finding("accuracy.law", ("laws", law), {"law": law, "names": ", ".join(wrong)})
+            yield Finding("accuracy.law", ("laws", law), {"law": law, "names": Joined(wrong)})
     for name, table in m.tables.items():
         open_by = [one for one, given in moved.items() if np.any(slope_of(open_ends(quantities, table, given)))]
         if open_by:
-            yield Finding("accuracy.table", ("tables", name), {"table": name, "names": ", ".join(open_by)})
+            yield Finding("accuracy.table", ("tables", name), {"table": name, "names": Joined(open_by)})
 
 
 def _parameter_duals(compiled: Compiled, one: Contributor) -> dict[str, float | Dual]:

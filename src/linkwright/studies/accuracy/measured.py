@@ -17,9 +17,9 @@ from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Node
 from linkwright.expressions.units import Dimension, UnitError, unit
 from linkwright.expressions.unknown import near
-from linkwright.findings import Finding, ModelError
+from linkwright.findings import Finding, Joined, ModelError
 from linkwright.kernels import Compiled
-from linkwright.model.csv_file import finite, read_csv
+from linkwright.model.csv_file import finite, listed, read_csv
 from linkwright.results import Run
 from linkwright.results.stationary import bracketed
 from linkwright.studies.numbers import constant, positive
@@ -148,7 +148,7 @@ def _columns(
     where = at or next((name for name in names if name in known), None)
     findings: list[Finding] = []
     if where not in names or where not in known or names.count(where) > 1:
-        data = {"given": ", ".join(names)[:100], "known": ", ".join(known)}
+        data = {"given": listed(names), "known": Joined(known)}
         findings.append(Finding("accuracy.no-place", path, data))
     place, outputs = None, []
     for name, written in headers:
@@ -270,7 +270,7 @@ def _looked_up(run: Run, sheet: MeasuredRows) -> tuple[Array, list[Finding]]:
             data: dict[str, Any] = {
                 "row": sheet.numbers[row],
                 "name": name[0],
-                "times": ", ".join(f"{t:.6g} s" for t in places[:5]),
+                "times": Joined(f"{t:.6g} s" for t in places[:5]),
             }
             findings.append(Finding("accuracy.several-poses", sheet.path, data))
     return at, findings
@@ -320,6 +320,4 @@ def _unknown(sheet: MeasuredRows, given: Mapping[str, Expression]) -> Iterator[F
     known = [column.text for column in sheet.outputs]
     for name in given:
         if name not in known:
-            yield Finding(
-                "accuracy.not-measured", (*PATH, "sigma", name), {"name": name[:60], "known": ", ".join(known)}
-            )
+            yield Finding("accuracy.not-measured", (*PATH, "sigma", name), {"name": name[:60], "known": Joined(known)})

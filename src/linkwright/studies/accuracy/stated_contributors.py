@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from linkwright.expressions import units as u
-from linkwright.findings import Finding, raise_errors
+from linkwright.findings import Finding, Joined, raise_errors
 from linkwright.kernels import Compiled
 from linkwright.model.references import option_faults
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
@@ -38,7 +38,7 @@ def check_contributors(compiled: Compiled, options: DeviationOptions) -> Iterato
 def skipped(compiled: Compiled, options: DeviationOptions) -> list[Finding]:
     """A warning on the lengths that the general tolerance has nothing for."""
     names = _Stated(compiled, options).skipped
-    data = {"names": ", ".join(names), "general": options.general.found.text if options.general else ""}
+    data = {"names": Joined(names), "general": options.general.found.text if options.general else ""}
     return [Finding("tolerance.skipped", (*PATH, "general"), data, severity="warning")] if names else []
 
 

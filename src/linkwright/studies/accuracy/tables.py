@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from math import floor, inf, log10
 
 from linkwright.expressions.units import TIME
-from linkwright.findings import Joined, Said, Text
+from linkwright.findings import Joined, Said, Term, Text
 from linkwright.presentation.blocks import Table, table
 from linkwright.presentation.cells import UNKNOWN, Cell, NumberCell, Numbers, percent
 from linkwright.studies.accuracy.design_report import design_tables
@@ -43,7 +43,7 @@ def _places(outcome: AccuracyOutcome) -> Iterator[tuple[str, Text, OutputDeviati
 
 def _line(name: str, position: Text, figure: OutputDeviations, outcome: AccuracyOutcome) -> list[Cell]:
     first = [(outcome.contributors.every[i].name, float(figure.shares[i])) for i in ranked(figure)[:FIRST]]
-    told = ", ".join(f"{name} {percent(share, 2)}" for name, share in first if share > 0)
+    told = Joined(f"{name} {percent(share, 2)}" for name, share in first if share > 0)
     ranges = (_range(ends, figure) for ends in _totals(figure).values())
     play = [] if figure.play is None else [sign * figure.play.bound / figure.column.size for sign in (-1, 1)]
     return [
@@ -56,9 +56,11 @@ def _line(name: str, position: Text, figure: OutputDeviations, outcome: Accuracy
     ]
 
 
-def _position_text(position: Text, figure: OutputDeviations, outcome: AccuracyOutcome) -> Text:
+def _position_text(position: Text, figure: OutputDeviations, outcome: AccuracyOutcome) -> Cell:
     time = "" if figure.time is None else moment(figure.time, outcome)
-    return Joined(filter(None, (position, time)), ": ") if position or time else UNKNOWN
+    if position and time:
+        return Term("colon", first=position, then=time)
+    return position or time or UNKNOWN
 
 
 def _totals(figure: OutputDeviations) -> dict[str, tuple[float, ...]]:
@@ -131,7 +133,7 @@ def _play(outcome: AccuracyOutcome) -> Table:
             continue
         size, (low, high) = figure.column.size, figure.worst
         joints = sorted(play.bounds, key=lambda joint: -play.bounds[joint])
-        told = ", ".join(f"{joint} ±{_fixed(play.bounds[joint] / size, play.bound / size, 3)}" for joint in joints)
+        told = Joined(f"{joint} ±{_fixed(play.bounds[joint] / size, play.bound / size, 3)}" for joint in joints)
         bound = f"±{_fixed(play.bound / size, play.bound / size, 3)}"
         both = _range([(low - play.bound) / size, (high + play.bound) / size], figure)
         shift = deviation(play.shift / size, figure)

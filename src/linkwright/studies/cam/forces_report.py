@@ -9,7 +9,7 @@ from numpy import float64
 from numpy.typing import NDArray
 
 from linkwright.expressions import units as u
-from linkwright.findings import Said, Text
+from linkwright.findings import Joined, Said, Text
 from linkwright.presentation.blocks import Chart
 from linkwright.presentation.cells import NumberCell
 from linkwright.studies.cam.charts import over
@@ -63,7 +63,7 @@ def force_sentences(outcome: CamOutcome) -> Iterator[Text]:
             f"cam.sentence.{key}", rate=value_text(done.loads.rate, rate), preload=value_text(done.loads.preload, load)
         )
     if done.asked.second is not None:
-        places = ", ".join(value_text(place, u.ANGLE) for place in done.forces.reversals)
+        places = Joined(value_text(place, u.ANGLE) for place in done.forces.reversals)
         if done.has_second_contact:
             force = figures["second_contact_force_max"].value
             alone = "apart-other" if force > 0 else "apart-one"

@@ -15,6 +15,7 @@ from linkwright.expressions.fields import Name as NameField
 from linkwright.expressions.typed_fields import Context, Quantity, Ref, Sign
 from linkwright.expressions.unknown import near
 from linkwright.expressions.written import Fault, fault
+from linkwright.findings import Joined
 from linkwright.studies.cam.figures import every, of_forces
 from linkwright.studies.cam.force_options import CamForces
 from linkwright.studies.cam.lift import along, turning
@@ -30,9 +31,9 @@ def _posts(raw: Any) -> Any:
     if isinstance(names, list | tuple):
         if wrong := [str(name)[:40] for name in names if name not in POSTS]:
             hint = near(wrong[0], POSTS, listed=True)
-            raise fault("study.choice", study="cam", key="post", given=", ".join(wrong[:9]), near=hint)
+            raise fault("study.choice", study="cam", key="post", given=Joined(wrong[:9]), near=hint)
         if not names:
-            raise fault("nc.no-post", known=", ".join(POSTS))
+            raise fault("nc.no-post", known=Joined(POSTS))
         return tuple(dict.fromkeys(names))
     return raw
 
@@ -86,7 +87,7 @@ class CamBlank(Frozen):
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
         for some in (("hub", "height"), ("key_width", "key_depth"), ("radius", "groove")):
             if sum(key in given for key in some) == 1:
-                yield "cam.together", {"keys": ", ".join(some)}
+                yield "cam.together", {"keys": Joined(some)}
         if "key_width" in given and "bore" not in given:
             yield "cam.together", {"keys": "key_width, bore"}
 

@@ -16,7 +16,7 @@ from linkwright.cam.sizing import feasible, resized, smallest
 from linkwright.cam.solid import Blank
 from linkwright.cam.splines import splines
 from linkwright.expressions import units as u
-from linkwright.findings import Finding, Term
+from linkwright.findings import Finding, Joined, Term
 from linkwright.kernels import Compiled
 from linkwright.presentation.blocks import FileOf, StudyReport
 from linkwright.studies.cam.closure_forces import cam_and_closing
@@ -179,7 +179,7 @@ def chosen(compiled: Compiled, options: CamOptions) -> tuple[str | None, list[Fi
         return next(iter(cams)), []
     if not cams:
         return None, [Finding("cam.none", PATH)]
-    return None, [Finding("cam.which", PATH, {"count": len(cams), "names": ", ".join(cams)})]
+    return None, [Finding("cam.which", PATH, {"count": len(cams), "names": Joined(cams)})]
 
 
 def _sizes(outcome: CamOutcome, low: float, high: float) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
-from linkwright.findings import Joined, Said, Text
+from linkwright.findings import CLAUSES, SENTENCES, Joined, Said, Text
 from linkwright.presentation.blocks import Check
 from linkwright.results import Certificate
 from linkwright.results.certificate import PROVEN
@@ -45,19 +45,19 @@ def _nearest(c: Certificate, time: Text) -> Iterator[Check]:
         figure, ok = f"{near.determinant:.4g}", near.determinant > FAR
         check = _proof("nearest", figure, ok, group=near.group, time=time)
         apart = [Said("proof.nearest.apart")] if c.changes else []
-        yield replace(check, sentence=Joined([check.sentence, *apart], " "))
+        yield replace(check, sentence=Joined([check.sentence, *apart], SENTENCES))
 
 
 def _branches(c: Certificate, time: Text) -> Iterator[Check]:
     if kept := [str(rule) for rule in c.branches.values() if rule]:
-        text = Said(f"proof.branches.{'changed' if c.changes else 'text'}", branches="; ".join(kept))
+        text = Said(f"proof.branches.{'changed' if c.changes else 'text'}", branches=Joined(kept, CLAUSES))
         yield Check(Said("proof.branches"), str(len(kept)), text, ok=True)
 
 
 def _continuation_check(c: Certificate, time: Text) -> Iterator[Check]:
     if c.followed:
         steps, worst = (max(column) for column in zip(*c.followed.values(), strict=True))
-        groups = ", ".join(c.followed)
+        groups = Joined(c.followed)
         yield _proof("followed", f"{worst:.1e}", worst < CLOSE, groups=groups, steps=steps)
 
 

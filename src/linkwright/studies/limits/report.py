@@ -7,7 +7,7 @@ from math import isfinite
 from typing import Any
 
 from linkwright.expressions.units import ANGLE, LENGTH, TIME
-from linkwright.findings import Joined, Said, Text
+from linkwright.findings import SENTENCES, Joined, Said, Text
 from linkwright.presentation.blocks import Section, StudyReport, Table, table
 from linkwright.presentation.cells import Cell, NumberCell, Unit
 from linkwright.studies.limits.extremes import SignalCourse, Transmission
@@ -176,7 +176,7 @@ def _why(limits: dict[str, Any], found: dict[str, Any]) -> Text:
     if limits["turns"] and len(limits["ranges"]) == 1 and ends[0]["kind"] == ends[1]["kind"] == "group":
         ends = ends[1:]
     told = (end["what"] or Said(f"limits.end.{end['kind']}", group=end["group"], at=_number(end["at"])) for end in ends)
-    return Joined(told, " ")
+    return Joined(told, SENTENCES)
 
 
 def _signals(stretches: Stretches) -> Iterator[list[Cell]]:
@@ -211,10 +211,10 @@ def _change_points(stretches: Stretches) -> Iterator[list[Cell]]:
 def _loops(entry: dict[str, Any]) -> Iterator[list[Cell]]:
     for loop in entry["four_links"]:
         kind = Said(f"limits.kind.{loop['kind']}", fixed=loop["fixed"] or "-")
-        turning: Text = ", ".join(loop["turning"]) or Said("limits.none")
+        turning: Text = Joined(loop["turning"]) or Said("limits.none")
         if loop["turning"] and loop["kind"] == "change-point":
             turning = Said("limits.turning.change-point", links=turning)
-        yield [", ".join(loop["links"]), kind, turning, _number(loop["margin"]), Unit(loop["unit"])]
+        yield [Joined(loop["links"]), kind, turning, _number(loop["margin"]), Unit(loop["unit"])]
 
 
 def _number(value: float | None) -> NumberCell:

@@ -11,7 +11,7 @@ import numpy as np
 
 from linkwright.escape import markup
 from linkwright.expressions import units as u
-from linkwright.findings import Joined, Said, Text
+from linkwright.findings import CLAUSES, SENTENCES, Joined, Said, Text
 from linkwright.graph.modes import Mode
 from linkwright.notation.hull import hull
 from linkwright.presentation.blocks import Block, Bullets, Card, Cards, Section, Sentences, StudyReport
@@ -131,9 +131,9 @@ def _sentences(outcome: ModesOutcome) -> Iterator[Said]:
     found, count = outcome.survey.found, len(outcome.modes)
     yield Said("modes.all" if found.complete else "modes.found", count=count)
     if found.open_groups:
-        yield Said("modes.open", groups="; ".join(found.open_groups))
+        yield Said("modes.open", groups=Joined(found.open_groups, CLAUSES))
     if found.free_groups:
-        yield Said("modes.free", groups="; ".join(sorted(found.free_groups)))
+        yield Said("modes.free", groups=Joined(sorted(found.free_groups), CLAUSES))
     if found.cut:
         yield Said("modes.cut", count=count)
     if outcome.survey.untold:
@@ -154,18 +154,18 @@ def circuit_text(entry: CircuitEntry, data: ModesData) -> Text:
                 "modes.branch",
                 low=f"{b['low']:.6g}",
                 high=f"{b['high']:.6g}",
-                modes=", ".join(map(str, b["modes"])) or Said("modes.none-here"),
+                modes=Joined(map(str, b["modes"])) or Said("modes.none-here"),
                 unit=names["unit"],
             )
             for b in entry["branches"]
         ]
-        texts = [Said("modes.circuit.parts", parts=Joined(parts, "; "), **names)]
+        texts = [Said("modes.circuit.parts", parts=Joined(parts, CLAUSES), **names)]
     if not entry["closed"]:
         texts.append(Said("modes.circuit.open"))
     if entry["change_points"]:
-        values = ", ".join(f"{value:.6g}" for value in entry["change_points"])
+        values = Joined(f"{value:.6g}" for value in entry["change_points"])
         texts.append(Said("modes.circuit.crossing", values=values, **names))
-    return Joined(texts, " ")
+    return Joined(texts, SENTENCES)
 
 
 Spot = tuple[float, float]
@@ -211,7 +211,7 @@ def mode_text(entry: ModeEntry) -> Text:
     parts = [Said("modes.place", circuit=entry["circuit"], branch=entry["branch"])] if entry["circuit"] else []
     parts += [Said("modes.own")] if entry["own"] else []
     parts += [Said("modes.singular")] if entry["singular"] else []
-    return Joined(parts, "; ")
+    return Joined(parts, CLAUSES)
 
 
 def report(outcome: ModesOutcome) -> StudyReport:

@@ -16,7 +16,7 @@ from linkwright.compilation import examine_still
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen
 from linkwright.expressions.typed_fields import Quantity
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined
 from linkwright.graph.statics import Statics
 from linkwright.kernels import Compiled, Still
 from linkwright.model.signals import Contact
@@ -90,9 +90,9 @@ def _time(compiled: Compiled, options: ReactionsOptions) -> float:
 def _failures(statics: Statics) -> Iterator[Finding]:
     if not np.isfinite(statics.applied).all():
         bad = [link for link, wrench in statics.wrenches.items() if not np.isfinite(wrench).all()]
-        yield Finding("reactions.not-finite", ("loads",), {"links": ", ".join(bad)})
+        yield Finding("reactions.not-finite", ("loads",), {"links": Joined(bad)})
     elif moving := statics.moving:
-        yield Finding("reactions.moves", ("links", moving[0]), {"links": ", ".join(moving)})
+        yield Finding("reactions.moves", ("links", moving[0]), {"links": Joined(moving)})
 
 
 def _reactions(compiled: Still, statics: Statics) -> Iterator[Reaction]:
@@ -143,9 +143,9 @@ def _warnings(outcome: ReactionsOutcome, statics: Statics) -> Iterator[Finding]:
         yield Finding("reactions.no-load", ("loads",), severity="warning")
     if outcome.states:
         named = dict.fromkeys(reaction.joint for reaction in outcome.reactions if reaction.value is None)
-        data = {"degree": outcome.states, "joints": ", ".join(named)}
+        data = {"degree": outcome.states, "joints": Joined(named)}
         yield Finding("reactions.indeterminate", ("joints",), data, severity="warning")
     if outcome.motions:
         yield Finding("reactions.neutral", ("joints",), {"motions": outcome.motions}, severity="warning")
     if m.measures:
-        yield Finding("reactions.measures", ("measures",), {"names": ", ".join(m.measures)}, severity="warning")
+        yield Finding("reactions.measures", ("measures",), {"names": Joined(m.measures)}, severity="warning")

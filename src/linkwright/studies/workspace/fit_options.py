@@ -13,7 +13,7 @@ from linkwright.expressions.fields import Expression, Frozen
 from linkwright.expressions.fields import Name as NameField
 from linkwright.expressions.typed_fields import Context, Quantity, Sign
 from linkwright.expressions.written import Fault
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined
 from linkwright.kernels import Compiled
 from linkwright.model.walk import ExpressionPlace, sites
 from linkwright.studies.numbers import constant
@@ -46,7 +46,7 @@ class RequiredFit(Frozen):
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
         kinds = [key for key in KINDS if key in given]
         if len(kinds) != 1:
-            yield "workspace.fit-kind", {"given": ", ".join(kinds) or "-"}
+            yield "workspace.fit-kind", {"given": Joined(kinds) or "-"}
         oblong = "rectangle" in given or given.get("largest") == "rectangle"
         for key, fitting, of in (
             ("angle", oblong, "rectangle, largest: rectangle"),

@@ -11,7 +11,7 @@ from linkwright.elements.fields import freeze
 from linkwright.expressions.fields import Expression, Frozen, FrozenDict, Text
 from linkwright.expressions.typed_fields import Context, Quantity
 from linkwright.expressions.units import Dimension
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined
 from linkwright.kernels import Compiled
 from linkwright.model.mechanism import Mechanism
 from linkwright.studies.numbers import constant, positive
@@ -62,9 +62,7 @@ class MapsAsked(Frozen):
                 data = {"name": name, "key": (others or {})[name]}
                 yield Finding("workspace.map-task", (*self.path, *place), data)
             elif name not in kinds:
-                yield Finding(
-                    "workspace.map-name", (*self.path, *place), {"name": name[:60], "known": ", ".join(kinds)}
-                )
+                yield Finding("workspace.map-name", (*self.path, *place), {"name": name[:60], "known": Joined(kinds)})
         for name, values in self.levels.items():
             for i, value in enumerate(values if name in kinds else ()):
                 yield from constant(compiled.quantities, value, kinds[name], (*self.path, "levels", name, i))[1]

@@ -13,7 +13,7 @@ from linkwright.drawing.charts import named
 from linkwright.drawing.plane import PicturePlane, framed_box, outline
 from linkwright.drawing.tiled import tiled
 from linkwright.expressions import units as u
-from linkwright.findings import Said, Text
+from linkwright.findings import CLAUSES, Joined, Said, Text
 from linkwright.model.csv_text import cell, head, table_text
 from linkwright.presentation.blocks import Chart, Table, table
 from linkwright.presentation.cells import UNKNOWN, Cell, NumberCell, Numbers, Unit, numbers, percent
@@ -64,12 +64,12 @@ def _causes(part: ErrorsPart, unit: str, size: float) -> Iterator[Text]:
     every = [one.causes for one in part.regions]
     names = dict.fromkeys(name for one in every for name in one.contributors.names)
     data = {"point": part.outcome.point}
-    yield Said("workspace.errors" if names else "workspace.errors.clearances", names=", ".join(names), **data)
+    yield Said("workspace.errors" if names else "workspace.errors.clearances", names=Joined(names), **data)
     held = [joint for one in every for joint in one.held]
     for kind in dict.fromkeys(joint.kind for joint in held):
         plays = dict.fromkeys((joint.joint, joint.clearance) for joint in held if joint.kind == kind)
         told = (f"{joint} {clearance / size:.6g} {unit}" for joint, clearance in plays)
-        yield Said(f"workspace.errors.{kind}", joints=", ".join(told))
+        yield Said(f"workspace.errors.{kind}", joints=Joined(told))
     yield Said("workspace.errors.guaranteed", **data)
 
 
@@ -90,8 +90,9 @@ def quality_tables(outcome: WorkspaceOutcome) -> list[Table]:
     ]
 
     def locus(one: dict[str, Any]) -> list[Cell]:
-        kind, determinant = Said(f"workspace.locus.{one['kind']}"), one["determinant"] or UNKNOWN
-        return [kind, determinant, NumberCell(one["curves"]), NumberCell(one["length"], 6), unit]
+        kind = Said(f"workspace.locus.{one['kind']}")
+        determinant = by_drives(outcome) if one["kind"] == "dead" else closures(outcome)
+        return [kind, determinant or UNKNOWN, NumberCell(one["curves"]), NumberCell(one["length"], 6), unit]
 
     loci = [[*region_cells(outcome, entry), *locus(one)] for entry in entries for one in entry["loci"]]
     front = region_heads(outcome)
@@ -218,8 +219,8 @@ def _over(part: Part, one: RegionMaps, plane: PicturePlane, size: float) -> tupl
                 shapes.append(f'<path class="part p-{kind}" d="{outline(shape, plane, size)}"/>')
                 legend.append((f"part p-{kind}", Said(f"workspace.kind.{kind}")))
         return shapes, legend
-    data = {"point": outcome.point, "drives": ", ".join(outcome.compiled.graph.drives)}
-    data["groups"] = "; ".join(group.label for group in outcome.compiled.graph.branched)
+    data: dict[str, Text] = {"point": outcome.point, "drives": ", ".join(outcome.compiled.graph.drives)}
+    data["groups"] = Joined((group.label for group in outcome.compiled.graph.branched), CLAUSES)
     for kind in ("singular", "modes", "pins"):
         ways = [*lines(region.sheet, region.segments, kind, plane, size)]
         shapes += [f'<polyline class="locus k-{kind}" points="{way}"/>' for way in ways]

@@ -14,7 +14,7 @@ from linkwright.expressions.fields import Expression, Frozen, FrozenDict
 from linkwright.expressions.typed_fields import of_drive, of_parameter
 from linkwright.expressions.units import ANGLE, LENGTH
 from linkwright.expressions.unknown import near
-from linkwright.findings import Finding, ModelError
+from linkwright.findings import CLAUSES, Finding, Joined, ModelError
 from linkwright.kernels import Compiled
 from linkwright.kernels.parameter_batch import Varied
 from linkwright.model.followers import no_followers
@@ -117,10 +117,10 @@ def check(compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
         yield no_followers(compiled.mechanism, "workspace")
         return
     if not 1 <= len(drives) <= 2:
-        yield Finding("workspace.drives", ("drives",), {"count": len(drives), "names": ", ".join(drives) or "-"})
+        yield Finding("workspace.drives", ("drives",), {"count": len(drives), "names": Joined(drives) or "-"})
     if compiled.structure.higher_groups:
         higher_groups = compiled.structure.higher_groups
-        data = {"groups": "; ".join(c.label for c in higher_groups)}
+        data = {"groups": Joined((c.label for c in higher_groups), CLAUSES)}
         yield Finding("workspace.cluster", ("links", higher_groups[0].links[0]), data)
     unnamed = option_faults(compiled.mechanism, options, PATH)
     yield from unnamed

@@ -17,7 +17,7 @@ from linkwright.expressions.fields import Name as NameField
 from linkwright.expressions.language import ExpressionError, evaluate
 from linkwright.expressions.typed_fields import Quantity, of_drive
 from linkwright.expressions.written import Fault
-from linkwright.findings import Finding, ModelError
+from linkwright.findings import Finding, Joined, ModelError
 from linkwright.kernels import Compiled
 from linkwright.laws import DEGREES
 from linkwright.model.actions import FileBeside
@@ -69,12 +69,12 @@ class WantedPath(Frozen):
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
         sources = [key for key in SOURCES if key in given]
         if len(sources) != 1 or ("x" in given) != ("y" in given):
-            yield "workspace.path-source", {"given": ", ".join(sources) or "-"}
+            yield "workspace.path-source", {"given": Joined(sources) or "-"}
         if ("speed" in given) == ("duration" in given):
             yield "workspace.path-pace", {}
         for key, of in (("layer", ("drawing",)), ("timing", ("duration",)), ("between", ("points", "file"))):
             if key in given and not any(one in given for one in of):
-                yield "workspace.path-key", {"key": key, "of": ", ".join(of)}
+                yield "workspace.path-key", {"key": key, "of": Joined(of)}
 
 
 class WantedPaths(RootModel[Annotated[dict[NameField, WantedPath], freeze, Field(min_length=1, max_length=MOST)]]):

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from linkwright.drawing.charts import LEFT, LETTER, MOST_CHARTS, MOST_POSES, TOP, Axes, named, shortened, thinned
 from linkwright.escape import markup
 from linkwright.expressions import units as u
-from linkwright.findings import Joined, Said, Text
+from linkwright.findings import CLAUSES, Joined, Said, Text
 from linkwright.presentation.blocks import Chart, Table, table
 from linkwright.presentation.cells import UNKNOWN, Cell, NumberCell, numbers, percent
 from linkwright.presentation.lettering import columns
@@ -54,7 +54,7 @@ def path_tables(outcome: WorkspaceOutcome) -> list[Table]:
 def _path_cells(entry: dict[str, Any]) -> list[Cell]:
     if not entry["followed"]:
         texts = [_stretch(one, entry["unit"]) for one in entry["stretches"]]
-        told = Said("paths.not", stretches=Joined(texts, "; ")) if texts else Said("paths.nothing")
+        told = Said("paths.not", stretches=Joined(texts, CLAUSES)) if texts else Said("paths.nothing")
         return [told, *[UNKNOWN] * 6]
     how = "best" if entry["best"] and entry["kept"] else "yes" if entry["kept"] else "reverses"
     return [

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from linkwright.drawing.charts import points
 from linkwright.drawing.plane import Bounds, PicturePlane, framed, framed_box, outline
 from linkwright.expressions import units as u
-from linkwright.findings import Said, Text
+from linkwright.findings import CLAUSES, Joined, Said, Text
 from linkwright.presentation.blocks import Area, Chart
 from linkwright.studies.workspace.curve_lines import lines
 from linkwright.studies.workspace.outcome import Workspace, WorkspaceOutcome
@@ -65,7 +65,7 @@ def picture(outcome: WorkspaceOutcome, one: Workspace, title: Text, box: Bounds,
         paths = [line for r in one.regions for line in lines(r.region.sheet, r.region.segments, kind, plane, size)]
         if paths:
             shapes += [f'<polyline class="kind k-{kind}" points="{way}"/>' for way in paths]
-            groups = "; ".join(group.label for group in outcome.compiled.graph.branched)
+            groups = Joined((group.label for group in outcome.compiled.graph.branched), CLAUSES)
             data = {"point": outcome.point, "drives": ", ".join(outcome.compiled.graph.drives), "groups": groups}
             legend.append((f"kind k-{kind}", Said(f"workspace.kind.{kind}", **data)))
     for overlay in over:

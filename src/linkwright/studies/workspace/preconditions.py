@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined
 from linkwright.graph.rows import Determinant
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.parameter_batch import Varied
@@ -98,4 +98,4 @@ def _drive_values(compiled: Compiled, where: Array) -> Mapping[str, Any]:
     for drive, value in zip(compiled.graph.drives, where.tolist(), strict=True):
         unit, size = compiled.quantities.drive_unit(drive)
         at.append(f"{drive} = {value / size:.4g} {unit}")
-    return {"at": ", ".join(at)}
+    return {"at": Joined(at)}

@@ -12,7 +12,7 @@ from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, FrozenDict, Two, pair
 from linkwright.expressions.typed_fields import Quantity, of_drive
 from linkwright.expressions.units import Dimension
-from linkwright.findings import Finding, Term
+from linkwright.findings import Finding, Joined, Term
 from linkwright.kernels import Compiled
 from linkwright.model.mechanism import Mechanism
 from linkwright.studies.numbers import constant
@@ -81,7 +81,7 @@ class QualityOptions(MapsAsked):
         """The limits of both drives, and what is wrong with them; ``dimensions`` by whether a drive turns."""
         path, drives, found, wrong = (*self.path, key), compiled.graph.drives, [], list[Finding]()
         if given and (lacking := [name for name in drives if name not in given]):
-            wrong.append(Finding("workspace.limit-missing", path, {"key": key, "drives": ", ".join(lacking)}))
+            wrong.append(Finding("workspace.limit-missing", path, {"key": key, "drives": Joined(lacking)}))
         for name in drives:
             if name in given:
                 dimension = dimensions[bool(compiled.mechanism.prescribed(name).turns)]

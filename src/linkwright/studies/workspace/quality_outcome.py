@@ -9,11 +9,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from linkwright.expressions import units as u
+from linkwright.findings import CLAUSES, Joined, Said
 from linkwright.studies.workspace.mapped_regions import RegionMaps
 from linkwright.studies.workspace.mesh import DriveBox
 from linkwright.studies.workspace.outcome import Reached, Workspace
 from linkwright.studies.workspace.quality import Locus, Quality, kinds, quality
 from linkwright.studies.workspace.quality_options import QualityOptions
+from linkwright.words import in_language
 
 if TYPE_CHECKING:
     from linkwright.studies.workspace.outcome import WorkspaceOutcome
@@ -61,7 +63,8 @@ class QualityPart:
     def as_dict(self) -> list[dict[str, Any]]:
         """An entry for each region."""
         size = self.outcome.compiled.quantities.unit_of(u.LENGTH)[1]
-        names = {"dead": by_drives(self.outcome), "uncertain": closures(self.outcome)}
+        with in_language("en"):  # a value of a file, which stays
+            names = {"dead": by_drives(self.outcome), "uncertain": str(closures(self.outcome))}
         return [
             {
                 **one.head(self.outcome),
@@ -86,9 +89,9 @@ def by_drives(outcome: WorkspaceOutcome) -> str:
     return f"d({outcome.point}.x, {outcome.point}.y)/d({', '.join(outcome.compiled.graph.drives)})"
 
 
-def closures(outcome: WorkspaceOutcome) -> str:
-    """The closures of which one's determinant vanishes in uncertain positions, as text."""
-    return "; ".join(f"closure of {group.label}" for group in outcome.compiled.graph.branched)
+def closures(outcome: WorkspaceOutcome) -> Joined:
+    """The closures of which one's determinant vanishes in uncertain positions."""
+    return Joined((Said("workspace.closure", group=group.label) for group in outcome.compiled.graph.branched), CLAUSES)
 
 
 def counted(kind: str, loci: Sequence[Locus], box: DriveBox) -> Curves:

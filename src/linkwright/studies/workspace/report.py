@@ -192,7 +192,7 @@ def _turning(one: Entry) -> list[Cell]:
     intervals: Text = Joined(numbers(ends, 6) for ends in one["intervals"])
     if one["whole"] or not one["intervals"]:
         intervals = Said("workspace.everywhere" if one["whole"] else "workspace.nowhere")
-    signs = ", ".join(f"{group} {sign:+d}" for group, sign in one["mode"].items()) or Said("workspace.every-mode")
+    signs = Joined(f"{group} {sign:+d}" for group, sign in one["mode"].items()) or Said("workspace.every-mode")
     return [one["drive"], intervals, one["other"], Unit(one["unit"]), signs]
 
 

@@ -10,7 +10,7 @@ from linkwright.drawing.charts import named
 from linkwright.drawing.plane import Bounds, PicturePlane, framed_box, outline
 from linkwright.drawing.tiled import tiled
 from linkwright.expressions import units as u
-from linkwright.findings import Said, Text
+from linkwright.findings import CLAUSES, Joined, Said, Text
 from linkwright.model.csv_text import cell, head, table_text
 from linkwright.presentation.blocks import Chart, Table, table
 from linkwright.presentation.cells import Cell, NumberCell, Unit, numbers
@@ -103,8 +103,8 @@ def _singular(
     region, compiled = one.reached.region, outcome.compiled
     over: list[str] = []
     legend: list[tuple[str, Text]] = []
-    data = {"point": outcome.point, "drives": ", ".join(compiled.graph.drives)}
-    data["groups"] = "; ".join(group.label for group in compiled.graph.branched)
+    data: dict[str, Text] = {"point": outcome.point, "drives": ", ".join(compiled.graph.drives)}
+    data["groups"] = Joined((group.label for group in compiled.graph.branched), CLAUSES)
     for kind in KINDS:
         curves = [*lines(region.sheet, region.segments, kind, plane, size)]
         over += [f'<polyline class="kind k-{kind}" points="{curve}"/>' for curve in curves]

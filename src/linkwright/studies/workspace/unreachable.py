@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.findings import Joined
 from linkwright.graph.assembly import shortfall_data
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.motion import solve_motion
@@ -89,4 +90,4 @@ def unreachable_data(
     for drive, value in zip(compiled.graph.drives, place, strict=True):
         unit, size = compiled.quantities.drive_unit(drive)
         at.append(f"{drive} = {value / size:.6g} {unit}")
-    return {**told, "at": ", ".join(at)}
+    return {**told, "at": Joined(at)}

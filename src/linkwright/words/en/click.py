@@ -4,6 +4,7 @@ TEXTS: dict[str, str] = {
     "click.usage": "Usage:",
     "click.options": "Options",
     "click.commands": "Commands",
+    "click.whole": "integer range",
     "click.help": "Show this message and exit.",
     "click.error": "Error: {message}",
     "click.try": "Try '{command} {option}' for help.",

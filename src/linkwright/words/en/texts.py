@@ -1,6 +1,12 @@
 """Words of the command line, the summary and the structure."""
 
 TEXTS: dict[str, str] = {
+    # What stands between texts, and binds two.
+    "term.list-separator": ", ",
+    "term.clause-separator": "; ",
+    "term.sentence-separator": " ",
+    "term.colon": "{first}: {then}",
+    "term.with-unit": "{name}, {unit}",
     # Structure, for `check` and the report.
     "fact.links": "Links",
     "fact.links.text": "{moving} moving links and the frame: {names}",
@@ -243,6 +249,11 @@ TEXTS: dict[str, str] = {
     "cli.column.grade": "Grade",
     "cli.column.check": "Check",
     "cli.column.figure": "Value",
+    "cli.severity.error": "error",
+    "cli.severity.warning": "warning",
+    "cli.severity.note": "note",
+    "cli.heading": "{heading}:",
+    "cli.missing": "{what}.",
     "cli.met": "passed",
     "cli.not_met": "FAILED",
     "cli.working": "{study}: {file}",

@@ -3,6 +3,7 @@
 TEXTS: dict[str, str] = {
     "workspace.quality": "Quality is computed from J = {determinant} of the working point {point}. At type 1 singularities (dead positions of the output) the determinant of J is zero: {point} can't move in some direction.",
     "workspace.quality.closures": "At type 2 singularities (uncertain positions) the determinant of a closure is zero: the mechanism can move although the drives are locked ({groups}).",
+    "workspace.closure": "closure of {group}",
     "workspace.errors": "Error of {point} to first order, when each of {names} deviates within its limits.",
     "workspace.errors.clearances": "Error of {point} to first order, from clearances in joints; no dimension deviates.",
     "workspace.errors.pin": "Clearance of pins: the distance between the centres of pin and hole has any direction and any length up to the radial clearance (half the difference of the diameters), in each joint independently of all others ({joints}). The standard deviations assume the full clearance in a uniformly distributed direction.",

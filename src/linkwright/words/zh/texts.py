@@ -1,6 +1,12 @@
 """Words of the command line, the summary and the structure."""
 
 TEXTS: dict[str, str] = {
+    # What stands between texts, and binds two.
+    "term.list-separator": "、",
+    "term.clause-separator": "；",
+    "term.sentence-separator": "",
+    "term.colon": "{first}：{then}",
+    "term.with-unit": "{name}（{unit}）",
     # Structure, for `check` and the report.
     "fact.links": "构件",
     "fact.links.text": "活动构件 {moving} 个（{names}），另有机架",
@@ -243,6 +249,11 @@ TEXTS: dict[str, str] = {
     "cli.column.grade": "可信等级",
     "cli.column.check": "检查",
     "cli.column.figure": "数值",
+    "cli.severity.error": "错误",
+    "cli.severity.warning": "警告",
+    "cli.severity.note": "提示",
+    "cli.heading": "{heading}：",
+    "cli.missing": "{what}。",
     "cli.met": "合格",
     "cli.not_met": "不合格",
     "cli.working": "{study}：{file}",

@@ -3,6 +3,7 @@
 TEXTS: dict[str, str] = {
     "workspace.quality": "性能指标由工作点 {point} 的 J = {determinant} 计算。在第一类奇异位形（输出死点）处，J 的行列式为零：{point} 在某个方向上不能运动。",
     "workspace.quality.closures": "在第二类奇异位形（不确定位形）处，某个封闭方程的行列式为零：驱动全部锁定时机构仍能运动（{groups}）。",
+    "workspace.closure": "{group} 的封闭方程",
     "workspace.errors": "{point} 的误差（一阶近似）：{names} 各自在极限偏差内变动。",
     "workspace.errors.clearances": "{point} 的误差（一阶近似）：由运动副间隙引起，尺寸均无偏差。",
     "workspace.errors.pin": "铰链的间隙：轴与孔的中心距可取任意方向，大小可取径向间隙（直径差的一半）以内的任意值，各运动副相互独立（{joints}）。标准差按间隙取满值、方向均匀分布计算。",

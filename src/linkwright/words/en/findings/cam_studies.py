@@ -28,7 +28,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "Give a larger hub or a smaller bore; both are given as radii.",
     ),
     "cam.groove-blank": (
-        "Only a groove is milled into a plate with a radius of its own; this cam is closed by {closed}.",
+        "Only a groove is milled into a plate with a radius of its own; this cam has closed: {closed}.",
         "With closed: groove, give radius (of the plate) and groove (its depth); otherwise remove both.",
     ),
     "cam.groove-deep": (

@@ -6,7 +6,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "Give roller with at (its centre), knife with a point of the follower, or face with a line of it.",
     ),
     "cam.second": (
-        "A contact with a second disc is given, but the follower is closed by {closed}.",
+        "A contact with a second disc is given, but the cam has closed: {closed}.",
         "Write closed: conjugate, or remove second.",
     ),
     "cam.second-twice": (

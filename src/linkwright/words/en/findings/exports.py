@@ -62,8 +62,8 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "Name another drive as the motor, or give {motor} a law of its own.",
     ),
     "joint.follower-law": (
-        "The law {law} must have the {over} of the motor as its argument and the {of} of the follower as its value; "
-        "it has {given}.",
+        "The law {law} must have the {argument} of the motor as its argument and the {value} of the follower as its "
+        "value; it has {given}.",
         "Write over: {over} and of: {of} in the law, or name another one.",
     ),
     "export.unproven": (

@@ -2,7 +2,7 @@
 
 PROBLEMS: dict[str, tuple[str, str]] = {
     "structure.drive-no-joint": (
-        "{link} and {on} share no {joint} joint, so the drive can't act between them.",
+        "{link} and {on} share no {joint}, so the drive can't act between them.",
         "Name two links that meet at a pin (turns) or on a line (slides).",
     ),
     "structure.drive-two-joints": (

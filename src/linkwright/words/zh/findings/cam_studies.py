@@ -28,7 +28,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "加大轮毂，或减小轴孔；二者均以半径给出。",
     ),
     "cam.groove-blank": (
-        "只有沟槽凸轮才单独给出毛坯盘的半径；该凸轮的封闭方式为 {closed}。",
+        "只有沟槽凸轮才单独给出毛坯盘的半径；该凸轮的封闭方式为 closed: {closed}。",
         "当 closed: groove 时，给出 radius（毛坯盘半径）和 groove（槽深）；否则删除这两项。",
     ),
     "cam.groove-deep": (
@@ -65,7 +65,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "cam.limit": (
         "{name}在凸轮转角 {theta} 处为 {value} {unit}，限值为 {limit} {unit}。",
-        "修改基圆、摆杆长度、偏距或运动规律，或修改限值；size: 可求出满足限值的最小基圆。",
+        "修改基圆、摆杆长度、偏距或运动规律，或修改限值；size 可求出满足限值的最小基圆。",
     ),
     "cam.required": (
         "{name} 为 {value} {unit}，要求为 {wanted}。",
@@ -138,7 +138,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "为从动件添加滚子。",
     ),
     "cam.yoke": (
-        "只有直动从动件才能采用框形从动件。",
+        "只有直动从动件才能做成框形。",
         "摆动从动件改用沟槽或副凸轮实现形封闭。",
     ),
     "cam.play": (
@@ -204,19 +204,19 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "nc.off": (
         "回读 {post} 的文件，所得升程的偏差为公差的 {share} 倍，并且对实际廓线过切 {gouge} mm。该文件未写入。",
-        "增加小数位数或步数；若误差仍然存在，将其作为程序缺陷报告。",
+        "增加小数位数或步数；若误差仍然存在，将其作为 linkwright 的缺陷报告。",
     ),
     "nc.depth": (
         "回读 {post} 的文件，铣削深度为 {depth} mm，而要求为 {wanted} mm。该文件未写入。",
-        "检查其中的深度；若误差仍然存在，将其作为程序缺陷报告。",
+        "检查其中的深度；若误差仍然存在，将其作为 linkwright 的缺陷报告。",
     ),
     "nc.island": (
         "回读 {post} 的文件，沟槽中 X{x} Y{y} 附近有残留。",
-        "检查理论廓线两侧的走刀；若误差仍然存在，将其作为程序缺陷报告。",
+        "检查理论廓线两侧的走刀；若误差仍然存在，将其作为 linkwright 的缺陷报告。",
     ),
     "nc.stray": (
         "回读 {post} 的文件，凸轮在刀具轨迹以外的 X{x} Y{y} 附近被过切。",
-        "检查各次走刀的起点；若误差仍然存在，将其作为程序缺陷报告。",
+        "检查各次走刀的起点；若误差仍然存在，将其作为 linkwright 的缺陷报告。",
     ),
     "nc.long-line": (
         "{post} 的文件中有一行长达 {length} 个字符，而该数控系统最多接受 {most} 个。该文件未写入。",

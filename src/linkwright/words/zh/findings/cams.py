@@ -6,7 +6,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "给出 roller 和 at（滚子中心），或 knife（从动件上的一点），或 face（从动件上的一条直线）。",
     ),
     "cam.second": (
-        "给出了与副凸轮的接触，但从动件的封闭方式为 {closed}。",
+        "给出了与副凸轮的接触，但该凸轮的封闭方式为 closed: {closed}。",
         "改为 closed: conjugate，或删除 second。",
     ),
     "cam.second-twice": (
@@ -145,7 +145,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "在表中写 between: cubic 或 between: quintic。",
     ),
     "drive.not-finite": (
-        "驱动 {drive} 的 {what} 在 t = {time:.6g} s 时不是有限值，或绝对值不小于 1e40。",
+        "驱动 {drive} 的{what}在 t = {time:.6g} s 时不是有限值，或绝对值不小于 1e40。",
         "检查其 position 是否有除以零、负数开方或在零点处开方。",
     ),
     "drive.outside-table": (

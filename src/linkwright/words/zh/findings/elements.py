@@ -18,7 +18,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "为其添加点，例如 points: {{A: [0, 0], B: [100, 0]}}。",
     ),
     "model.no-freedom": (
-        "机构没有驱动，也不能运动：按 Gruebler 公式，其自由度为 {mobility}。",
+        "机构没有驱动，也不能运动：按 Grübler 公式，其自由度为 {mobility}。",
         "若要求解结构的约束反力，写 studies: {{reactions: {{}}}}。若要使其运动，删除一个运动副或拆分一个构件，并添加驱动。",
     ),
     "model.no-drive": (
@@ -96,7 +96,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "sketch.mixed": (
         "部分草图点有三个坐标（{three}），其余只有两个（{two}）。",
-        "统一给出整车坐标系中的三个坐标，或统一给出机构平面内的两个坐标。",
+        "统一给出车辆坐标系中的三个坐标，或统一给出机构平面内的两个坐标。",
     ),
     "sketch.in-line": (
         "草图点共线（或少于三个），不能确定机构平面。",
@@ -107,20 +107,20 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "检查两点的坐标和平面：两点之间的距离不能为零。",
     ),
     "sketch.no-plane": (
-        "该机构不是平面机构：{name} 与法向为 ({normal}) 的平面相距 {off} {unit}，允许值为 {limit} {unit}。",
+        "该机构不是平面机构：{name} 与法向为（{normal}）的平面相距 {off} {unit}，允许值为 {limit} {unit}。",
         "检查坐标。若各铰链沿自身轴线的位置不同，给出平面（plane: xz，或其法向）；plane: {{within: LENGTH}} 可修改允许值。",
     ),
     "sketch.off-plane": (
-        "{name} 与各铰链点的拟合平面（法向 ({normal})）相距 {off} {unit}。",
+        "{name} 与各铰链点的拟合平面（法向：{normal}）相距 {off} {unit}。",
         "检查其坐标，或给出平面；plane: {{within: LENGTH}} 可设置允许的偏差。",
     ),
     "sketch.plane-unused": (
         "给出了平面，但没有草图点具有三个坐标。",
-        "以整车坐标系中的 [x, y, z] 给出草图点，或删除该平面。",
+        "以车辆坐标系中的 [x, y, z] 给出草图点，或删除该平面。",
     ),
     "sketch.plane-twice": (
         "平面同时给出了 axes 和 normal。",
-        "由整车坐标系的两个坐标轴构成的平面用 axes 给出，其他平面用 normal 给出。",
+        "由车辆坐标系的两个坐标轴构成的平面用 axes 给出，其他平面用 normal 给出。",
     ),
     "cylinder.same-point": (
         "缸的两端都在 {point} 处。",

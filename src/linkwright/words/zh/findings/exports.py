@@ -62,12 +62,12 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "将 motor 改为其他驱动，或为 {motor} 给出自身的运动规律。",
     ),
     "joint.follower-law": (
-        "运动规律 {law} 必须以驱动的 {over} 为自变量，以从动件的 {of} 为因变量；现为 {given}。",
+        "运动规律 {law} 必须以驱动的{argument}为自变量，以从动件的{value}为因变量；现为 {given}。",
         "在该运动规律中写 over: {over} 和 of: {of}，或指定其他运动规律。",
     ),
     "export.unproven": (
         "验证未通过：{name} 的导出结果与模型的偏差为 {error} {unit}，因此未写入。",
-        "检查是否有接近奇异的运动规律或位姿；否则将其作为 linkwright 的程序缺陷报告。",
+        "检查是否有接近奇异的运动规律或位姿；否则将其作为 linkwright 的缺陷报告。",
     ),
     "export.left-out": (
         "MuJoCo 文件中不包含 {names}。",

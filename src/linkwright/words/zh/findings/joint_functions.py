@@ -102,8 +102,8 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "若它们应当运动，检查是否有两个铰链中心重合，或范围是否过小。",
     ),
     "functions.sweep": (
-        "在该范围内，有一个方向相对于任何构件都要转过 {spread} deg（运动副 {joints}）；函数语法 {dialect} 只能覆盖 {most} deg。",
-        "缩小范围；函数语法 seed 的反余弦无法覆盖的范围，改用 wizard 的 atan2 或许可行。",
+        "在该范围内，有一个方向相对于任何构件都要转过 {spread} deg（运动副 {joints}）；方言 {dialect} 只能覆盖 {most} deg。",
+        "缩小范围；方言 seed 的反余弦无法覆盖的范围，改用 wizard 的 atan2 或许可行。",
     ),
     "functions.error": (
         "无论取多少位小数，在 {drive} = {at} {unit} 处函数误差都为 {error}（rad 或 mm）。",

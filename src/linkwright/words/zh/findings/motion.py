@@ -94,7 +94,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "motion.unproven": (
         "验证未通过：{check}的相对误差为 {figure}（限值 1e-9）。",
-        "检查是否存在数量级相差悬殊的尺寸、距离很远的点或接近奇异的位形；详情见报告中的“验证”部分。若均不存在，则为 linkwright 的缺陷，应连同模型一起报告。",
+        "检查是否存在数量级相差悬殊的尺寸、距离很远的点或接近奇异位形的位置；详情见报告中的“验证”部分。若均不存在，则为 linkwright 的缺陷，应连同模型一起报告。",
     ),
     "motion.not-periodic": (
         "运动不是周期性的：经过 {period} 后，点 {element} 与其起始位置相距 {distance} {unit}。",

@@ -31,7 +31,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "signal.indeterminate": (
         "移动副 {joint} 的 {attribute} 为静不定：移动副 {loop} 的方向相互约束，力矩可在其间循环传递。",
-        "改用力 .x、.y 或 .normal，或为其中一个构件单独设置滑块，并用转动副与之连接。",
+        "改用力的“.x”、“.y”或“.normal”，或为其中一个构件单独设置滑块，并用转动副与之连接。",
     ),
     "signal.no-joint": (
         "{a} 与 {b} 之间没有运动副，因此也没有相互作用力。",
@@ -46,7 +46,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "为该构件定义质量，或改用其上的点。",
     ),
     "signal.same-link": (
-        "“{name}”相对于自身没有速度瞬心。",
+        "“{name}”相对于自身没有瞬心。",
         "指定两个不同的构件：pole({name}, frame).x。",
     ),
     "signal.unknown": (

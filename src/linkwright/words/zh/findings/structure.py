@@ -2,7 +2,7 @@
 
 PROBLEMS: dict[str, tuple[str, str]] = {
     "structure.drive-no-joint": (
-        "{link} 与 {on} 之间没有所需类型的运动副（{joint}），驱动无法作用于二者之间。",
+        "{link} 与 {on} 之间没有{joint}，驱动无法作用于二者之间。",
         "指定由铰链连接（turns）或沿直线连接（slides）的两个构件。",
     ),
     "structure.drive-two-joints": (
@@ -38,7 +38,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "删除一个运动副或驱动，或添加两个铰链之间缺少的构件。",
     ),
     "structure.redundant-movable": (
-        "{part} 是冗余的（虚约束）：在现有尺寸下，机构仍能运动（{constraints} 个约束的秩为 {rank}，按 Gruebler 公式自由度为 {gruebler}，实际自由度为 "
+        "{part} 是冗余的（虚约束）：在现有尺寸下，机构仍能运动（{constraints} 个约束的秩为 {rank}，按 Grübler 公式自由度为 {gruebler}，实际自由度为 "
         "{mobility}），但它所分担的力无法确定。",
         "从模型中删除 {part}：运动不变。它所承受的力取决于间隙和刚度。",
     ),

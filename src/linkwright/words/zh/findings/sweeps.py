@@ -47,7 +47,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "study.no-folder": (
         "需要在内存中保存的数值超过 {limit} 个。",
-        "用 --out 或 out=... 给出保存数值的文件夹；或设置 keep: reduced。",
+        "用 --out 或“out=...”给出保存数值的文件夹；或设置 keep: reduced。",
     ),
     "study.no-value": (
         "{samples} 个样本中有 {count} 个，其运动可以跟踪，但某个测量项或信号没有有限值；第一个为样本 {sample}。",

@@ -7,7 +7,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "tolerance.class-or-parameter": (
         "{name} 既是公差等级，又是文件中的参数。",
-        "将该参数改名；若指该参数，写 ({name})。",
+        "将该参数改名；若指该参数，写“({name})”。",
     ),
     "tolerance.distribution": (
         "“{given}”不是公差的分布类型。",
@@ -62,7 +62,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "在 parameters 中定义尺寸并给出公差，例如 AB: {{value: 155, tolerance: 0.05}}；或写 general: ISO 2768-m。",
     ),
     "tolerance.skipped": (
-        "{names} 的大小不在 {general} 的范围内，按无偏差处理。",
+        "{general} 未规定 {names} 的公差（尺寸超出其范围），按无偏差处理。",
         "若存在偏差，单独给出公差。",
     ),
     "tolerance.no-derivative": (
@@ -70,8 +70,8 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "将其改写为其他形式，或以数值给出该参数。",
     ),
     "tolerance.no-contributor": (
-        "没有名为 {name} 的误差源。",
-        "{near}误差源是带公差的参数或温度变化。",
+        "没有名为 {name} 的偏差。",
+        "{near}改用带公差的参数或温度变化。",
     ),
     "tolerance.correlation-twice": (
         "{name} 在同一相关条目中重复列出。",
