@@ -1,7 +1,7 @@
 """What the `console` blocks of a page show of a command's output, compared with what the command prints.
 
-A line `...` in a block stands for any lines. Blank lines and the widths of gaps don't count; numbers agree to four
-digits, and round-off (below 1e-9) with any other round-off.
+A line `...` in a block stands for any lines, `...` at the end of a line for the rest of that line. Blank lines and the
+widths of gaps don't count; numbers agree to four digits, and round-off (below 1e-9) with any other round-off.
 """
 
 import difflib
@@ -31,17 +31,21 @@ def same_number(one: str, other: str) -> bool:
     return math.isclose(a, b, rel_tol=DIGITS) or max(a, b) < ROUND_OFF
 
 
-def same_line(one: str, other: str) -> bool:
-    """Whether two lines of output say the same."""
-    a, b = (NUMBER.split(" ".join(line.split())) for line in (one, other))
+def same_line(shown: str, printed: str) -> bool:
+    """Whether a line of a block says the same as one of output, or its beginning the same before a `...` at its end."""
+    words, others = shown.split(), printed.split()
+    if words[-1:] == [ANY]:
+        words = words[:-1]
+        others = others[: len(words)]
+    a, b = (NUMBER.split(" ".join(line)) for line in (words, others))
     if len(a) != len(b) or a[::2] != b[::2]:
         return False
     return all(map(same_number, a[1::2], b[1::2]))
 
 
-def same_lines(some: list[str], others: list[str]) -> bool:
+def same_lines(shown: list[str], printed: list[str]) -> bool:
     """Whether two lists of lines say the same."""
-    return len(some) == len(others) and all(map(same_line, some, others))
+    return len(shown) == len(printed) and all(map(same_line, shown, printed))
 
 
 def difference(shown: list[str], said: str) -> str:
