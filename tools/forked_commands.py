@@ -1,8 +1,9 @@
 """Command lines of linkwright in forks of one process that has imported it, as starting takes longest.
 
-Lines of JSON come in by standard input: ``folder``, ``path`` (places before Python's own), ``words`` and the
-``seconds`` that it may take. A line of JSON leaves for each: exit code (negative where a signal ended it), standard
-output, standard error. Only where processes are forked.
+Lines of JSON come in by standard input: ``folder``, ``path`` (places before Python's own), ``words``, the ``seconds``
+that it may take, and maybe ``environment`` (variables to set) and ``merged`` (standard error in standard output). A
+line of JSON leaves for each: exit code (negative where a signal ended it), standard output, standard error. Only where
+processes are forked.
 """
 
 import json
@@ -40,6 +41,9 @@ def perform(asked: dict[str, Any], out: Path, err: Path) -> NoReturn:
     code = 1
     for number, file in ((1, out), (2, err)):
         os.dup2(os.open(file, os.O_WRONLY | os.O_CREAT), number)
+    if asked.get("merged"):
+        os.dup2(1, 2)
+    os.environ.update(asked.get("environment", {}))
     os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
     try:
         os.chdir(asked["folder"])

@@ -1,14 +1,17 @@
 """Runs what the documentation promises: every example and model of the gallery, every snippet of README.md and docs/.
 
-    python3 dev.py smoke [names]        only what has one of the names in its path
+    python3 dev.py smoke [names]            only what has one of the names in its path
+    python3 dev.py smoke --remake [names]   puts what the commands print now into the `console` blocks
 
 Of a Markdown file it takes, in the order in which they stand,
 
 - `python` blocks, executed in one namespace per file;
 - `sh` and `console` blocks: the lines that start with `python3 dev.py`, `linkwright` or
-  `python -m linkwright` (in `console` blocks after `$ `); other lines are skipped;
+  `python -m linkwright` (in `console` blocks after `$ `); other lines are skipped. What a `console` block shows of
+  a command's output is compared with what it prints (`transcripts.py`);
 - `yaml` blocks that start with `linkwright: 1`, given to `linkwright check`.
 
+Commands of the Chinese pages (docs/zh/ and *.zh-CN.md) speak Chinese, as on a Chinese system, all others English.
 The current folder holds a copy of examples/. The comment `<!-- exit 2 -->` before a block states the exit
 code expected of each of its commands. A block after `<!-- no-run -->`, or with `no-run` beside its
 language, is left out.
@@ -36,11 +39,15 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+import transcripts
+
 ROOT = Path(__file__).resolve().parents[1]
 AT_ONCE = 2
 TIMEOUT = 300.0  # seconds for one command, script or snippet
 OURS = f'"{sys.executable}" -m linkwright'
+REMAKE = "--remake"
 TAIL = 25  # lines shown of what failed
+ENGLISH, CHINESE = "en_US.UTF-8", "zh_CN.UTF-8"  # the locales that commands run in
 
 FENCE = re.compile(r"^(?P<indent>\s*)(?P<mark>`{3,}|~{3,})\s*(?P<info>[^`]*)$")
 COMMENT = re.compile(r"<!--\s*(.*?)\s*-->")
@@ -117,6 +124,25 @@ def command_lines(block: Block) -> Iterator[tuple[int, str]]:
             yield number, command
 
 
+def shown(block: Block, number: int) -> range:
+    """The numbers of the lines in which a `console` block shows what the command of line `number` prints."""
+    lines = block.text.splitlines()
+    start = number - block.line + 1
+    while lines[start - 1].endswith("\\"):
+        start += 1
+    rest = [line.startswith("$ ") for line in lines[start:]]
+    end = start + (rest.index(True) if True in rest else len(rest))
+    return range(block.line + start, block.line + end)
+
+
+def compare(block: Block, number: int, said: str) -> None:
+    """Fails if a `console` block shows what the command of line `number` doesn't print."""
+    lines = block.text.splitlines()
+    expected = [lines[at - block.line] for at in shown(block, number)]
+    if block.language == "console" and expected and (failure := transcripts.difference(expected, said)):
+        raise Failure(failure)
+
+
 def translate(command: str) -> str | None:
     """The shell command that runs a documented one with this Python; None for one that isn't run here."""
     for start in COMMANDS:
@@ -151,47 +177,58 @@ class Forks(threading.local):
     commands = 0
     server: "subprocess.Popen[str] | None" = None
 
-    def __call__(self, words: list[str], cwd: Path, timeout: float) -> tuple[int, str] | None:
+    def __call__(self, words: list[str], cwd: Path, timeout: float, language: str) -> tuple[int, str] | None:
         """Exit code and what was said; None for the first one, or where there are no forks."""
         self.commands += 1
         if self.commands == 1 or not hasattr(os, "fork"):
             return None
         if self.server is None:
             script, pipe = str(ROOT / "tools" / "forked_commands.py"), subprocess.PIPE
-            environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}  # its threads outlive no fork
+            environment = {**bare_environment(), "OPENBLAS_NUM_THREADS": "1"}  # its threads outlive no fork
             self.server = subprocess.Popen(
                 [sys.executable, script], env=environment, stdin=pipe, stdout=pipe, text=True
             )
         assert self.server.stdin is not None
         assert self.server.stdout is not None
         asked = {"folder": str(cwd), "path": [], "words": words, "seconds": timeout}
+        asked |= {"environment": {"LC_ALL": language}, "merged": True}
         self.server.stdin.write(json.dumps(asked) + "\n")
         self.server.stdin.flush()
-        code, out, err = json.loads(self.server.stdout.readline())
+        code, said, _ = json.loads(self.server.stdout.readline())
         if code == -signal.SIGALRM:
-            raise Failure(f"not done after {timeout:.0f} s\n{out}{err}")
-        return code, out + err
+            raise Failure(f"not done after {timeout:.0f} s\n{said}")
+        return code, said
 
 
 forked = Forks()
 
 
-def call(command: str | list[str], cwd: Path, exit_code: int = 0, timeout: float = TIMEOUT) -> None:
-    """Runs a command and fails unless it ends with the exit code expected."""
+def bare_environment() -> dict[str, str]:
+    """The environment without the size of a terminal; text is UTF-8."""
+    kept = {name: value for name, value in os.environ.items() if name not in ("COLUMNS", "LINES")}
+    return {**kept, "PYTHONUTF8": "1"}
+
+
+def call(
+    command: str | list[str], cwd: Path, exit_code: int = 0, timeout: float = TIMEOUT, language: str = ENGLISH
+) -> str:
+    """What a command prints; fails unless it ends with the exit code expected."""
     words = plain(command)
-    code, said = (words is not None and forked(words, cwd, timeout)) or alone(command, cwd, timeout)
+    code, said = (words is not None and forked(words, cwd, timeout, language)) or alone(command, cwd, timeout, language)
     if "Traceback (most recent call last)" in said:
         raise Failure(f"a traceback\n{said}")
     if code != exit_code:
         raise Failure(f"exit code {code}, expected {exit_code}\n{said}")
+    return said
 
 
-def alone(command: str | list[str], cwd: Path, timeout: float) -> tuple[int, str]:
+def alone(command: str | list[str], cwd: Path, timeout: float, language: str) -> tuple[int, str]:
     """A command in a process of its own: exit code and what it said."""
     try:
         done = subprocess.run(
             command,
             cwd=cwd,
+            env={**bare_environment(), "LC_ALL": language},
             shell=isinstance(command, str),
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
@@ -301,6 +338,22 @@ def smoke_document(path: Path) -> list[Outcome]:
         return list(run_document(path.relative_to(ROOT).as_posix(), path, place, snippets))
 
 
+def remake_document(path: Path) -> list[Outcome]:
+    """Runs the blocks of one Markdown file, and puts what the commands print into its `console` blocks."""
+    printed: dict[int, tuple[Block, str]] = {}
+    with workplace() as place, Snippets(path, place) as snippets:
+        name = path.relative_to(ROOT).as_posix()
+        outcomes = list(run_document(name, path, place, snippets, printed))
+    lines = path.read_text(encoding="utf-8").splitlines()
+    for number, (block, said) in sorted(printed.items(), reverse=True):
+        where = shown(block, number)
+        old = lines[where.start - 1 : where.stop - 1]
+        if block.language == "console" and any(old) and transcripts.difference(old, said):
+            lines[where.start - 1 : where.stop - 1] = transcripts.remade(old, said)
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return outcomes
+
+
 class Snippets:
     """A process for the `python` blocks of one Markdown file, so that a snippet can't harm the rest; it starts with the
     first of them, with nothing imported."""
@@ -352,8 +405,21 @@ def snippets_main(path: Path) -> int:
     return 0
 
 
-def run_document(name: str, path: Path, place: Path, snippets: Callable[[Block], None]) -> Iterator[Outcome]:
-    """Runs the blocks of one Markdown file in a folder, in order."""
+def language_of(name: str) -> str:
+    """The locale of the commands of a page."""
+    return CHINESE if name.startswith("docs/zh/") or name.endswith(".zh-CN.md") else ENGLISH
+
+
+def run_document(
+    name: str,
+    path: Path,
+    place: Path,
+    snippets: Callable[[Block], None],
+    printed: dict[int, tuple[Block, str]] | None = None,
+) -> Iterator[Outcome]:
+    """Runs the blocks of one Markdown file in a folder, in order; what commands print is kept by the number of their
+    lines in `printed`, or else compared with what the page shows."""
+    language = language_of(name)
     for block in blocks(path.read_text(encoding="utf-8")):
         label = f"{name}:{block.line}"
         if block.skip:
@@ -365,14 +431,25 @@ def run_document(name: str, path: Path, place: Path, snippets: Callable[[Block],
                 translated = translate(command)
                 if translated is None:
                     yield Outcome(f"{name}:{number} {command}", "skip")
-                else:
-                    item = partial(call, translated, place, block.exit_code)
-                    yield timed(f"{name}:{number} {command}", item)
+                    continue
+
+                def item(block: Block = block, number: int = number, translated: str = translated) -> None:
+                    said = call(translated, place, block.exit_code, language=language)
+                    if printed is None:
+                        compare(block, number, said)
+                    else:
+                        printed[number] = block, said
+
+                yield timed(f"{name}:{number} {command}", item)
         elif is_model(block):
             model = place / f"{path.stem}_line_{block.line}.yaml"
             model.write_text(block.text, encoding="utf-8")
             check = [sys.executable, "-m", "linkwright", "check", str(model)]
-            yield timed(f"{label} yaml", partial(call, check, place, block.exit_code))
+
+            def checked(block: Block = block, check: list[str] = check) -> None:
+                call(check, place, block.exit_code)
+
+            yield timed(f"{label} yaml", checked)
 
 
 def run_python(block: Block, path: Path, namespace: dict[str, Any]) -> None:
@@ -412,8 +489,11 @@ def show(outcome: Outcome) -> None:
 
 def main(names: list[str]) -> int:
     passed = failed = 0
+    chosen = units([name for name in names if name != REMAKE])
+    if REMAKE in names:
+        chosen = [(remake_document, path) for function, path in chosen if function is smoke_document]
     with ThreadPoolExecutor(AT_ONCE) as pool:  # each thread waits for a process
-        for outcomes in pool.map(lambda unit: unit[0](unit[1]), units(names)):
+        for outcomes in pool.map(lambda unit: unit[0](unit[1]), chosen):
             for outcome in outcomes:
                 show(outcome)
                 passed += outcome.verdict == "ok"
