@@ -151,4 +151,5 @@ def test_a_command_whose_study_is_missing(study: str, tmp_path: Path) -> None:
 def test_a_file_in_gbk(tmp_path: Path) -> None:
     (path := tmp_path / "model.yaml").write_bytes(SOUND.replace("Crank-rocker", "曲柄摇杆机构").encode("gbk"))
     (found,) = check(path)
-    assert found.code == "file.encoding" and "GBK" in found.what and "UTF-8" in found.mend
+    assert (found.code, found.severity) == ("file.read-as", "warning")
+    assert "GBK" in found.what and "UTF-8" in found.mend

@@ -1,11 +1,10 @@
-"""Lines in the spellings of other places, and files in other encodings."""
+"""Lines in the spellings of other places."""
 
 from __future__ import annotations
 
 import pytest
 
 from linkwright.findings import Finding
-from linkwright.model.document import read_document
 from linkwright.model.respelled_lines import LONGEST, ROUNDS, read_respelled
 from model.given import FEEDER, findings
 from model.given import changed as changed_in
@@ -33,6 +32,19 @@ LINES = {
     "tab behind a colon": (("AB: 155", "AB:\t155"), "file.tab", "spaces"),
     "decimal comma": (("mass: 0.6", "mass: 0,6"), "file.decimal-comma", "Write 0.6."),
     "decimal comma in a list": (("D: [AD, 0]", "D: [60,5, 0]"), "file.decimal-comma", "Write 60.5."),
+    "wide decimal comma": (("mass: 0.6", "mass: 0，6"), "file.wide", "mass: 0.6,"),
+    "wide comma between numbers of a list": (("D: [AD, 0]", "D: [60，5]"), "file.wide", "D: [60, 5]"),
+    "list in round brackets": (("D: [AD, 0]", "D: （AD，0）"), "file.wide", "D: [AD, 0]"),
+    "list in narrow round brackets": (("D: [AD, 0]", "D: (AD, 0)"), "file.brackets", "Write [AD, 0]."),
+    "enumeration comma": (("B: [AB, 0]", "B: [AB、0]"), "file.wide", "[AB, 0]"),
+    "semicolon in a list": (("B: [AB, 0]", "B: [AB；0]"), "file.wide", "[AB, 0]"),
+    "corner quotes": (("AB: 155", "AB: 「155」"), "file.wide", "Write 'AB: \"155\"'."),
+    "dash": (("D: [AD, 0]", "D: [—AD, 0]"), "file.wide", "D: [-AD, 0]"),
+    "comment": (("AB: 155", "AB: 155＃长"), "file.wide", "Write 'AB: 155  # 长'."),
+    "end of a sentence": (("AB: 155", "AB：155。"), "file.wide", "Write 'AB: 155'."),
+    "indentation": (("  AB: 155", "\u3000\u3000AB: 155"), "file.blank", "Write 'AB: 155'."),
+    "blank of a web page": (("AB: 155", "AB:\u00a0155"), "file.blank", "Write 'AB: 155'."),
+    "digits of an option": (("samples: 200", "samples: ２００"), "file.wide", "samples: 200"),
 }
 
 
@@ -61,26 +73,6 @@ def test_chinese_punctuation_in_texts_and_comments_is_no_fault() -> None:
 
 def test_a_list_without_spaces_is_a_list() -> None:
     assert not findings(changed(("B: [AB, 0]", "B: [155,0]")))
-
-
-@pytest.mark.parametrize(
-    ("encoding", "name"), [("gbk", "GBK"), ("gb18030", "GBK"), ("utf-16", "UTF-16"), ("utf-16-le", "UTF-16")]
-)
-def test_chinese_in_another_encoding(encoding: str, name: str) -> None:
-    text = FEEDER.replace("Packaging paper feeder", "送料机构的曲柄与摇杆")
-    (found,) = read_document(text.encode(encoding))[1].findings
-    assert found.code == "file.encoding" and name in found.what and "UTF-8" in found.mend
-
-
-@pytest.mark.parametrize("word", ["Größe, Übermaß", "30°", "Hüllkurve für µm", "façade à"])
-def test_a_western_text_in_its_own_encoding(word: str) -> None:
-    (found,) = read_document(f"linkwright: 1\nname: {word}\n".encode("cp1252"))[1].findings
-    assert found.code == "file.encoding" and "Windows-1252" in found.what
-
-
-def test_what_is_no_text_at_all() -> None:
-    (found,) = read_document(b"\x7fELF\x00\xff\xfe\x81")[1].findings
-    assert found.code == "file.binary"
 
 
 def test_a_text_full_of_them_is_read_a_bounded_number_of_times() -> None:

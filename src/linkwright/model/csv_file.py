@@ -107,6 +107,7 @@ def _decoded(content: bytes, name: str, path: Path_) -> tuple[str, str | None]:
             text, encoding, at = other.text, other.encoding, None
     if at is None:
         return text, encoding
-    line, likely = content.count(b"\n", 0, at) + 1, likely_encoding(content)
-    code = "table.not-text" if likely is None else "table.encoding"
-    raise ModelError([Finding(code, path, {"file": name, "at": at, "line": line, "encoding": likely})])
+    data = {"file": name, "at": at, "line": content.count(b"\n", 0, at) + 1}
+    if likely := likely_encoding(content):
+        raise ModelError([Finding("table.encoding", path, {**data, "encoding": likely})])
+    raise ModelError([Finding("table.not-text", path, data)])

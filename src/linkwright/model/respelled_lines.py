@@ -16,6 +16,8 @@ ROUNDS = 6
 """How often a text is rewritten: YAML gives up at its first fault, and then only that line is known."""
 LONGEST = 50_000
 """Longer texts are read once."""
+LONGEST_LINE = 2_000
+"""Longer lines stay as they are."""
 AROUND = 24
 """So much of a line is shown around what is rewritten."""
 SHOWN = "␣"
@@ -26,17 +28,25 @@ _COLON = re.compile(r"((?:^|[{,])\s*[^\W\d]\w*):(?=[^\s:/])")
 _EQUALS = re.compile(r"^(\s*[^\W\d]\w*)\s*=\s*(?=[^\s=])")
 
 
-_LIST = re.compile(r"(?<=[:：,，[【])(\s*)（([^（）()]*[,，、；][^（）()]*)）")
-_LIMIT = re.compile(r"(?<=: )([＞＜][＝=]?|[>＞＜<]＝)([^,，}｝\]]*?)(?=\s*(?:[,，}｝\]]|$))")
+_LIST = re.compile(r"(?<=[:：,，[【])(\s*)（([^（）()]*)）")
+_LIMIT = re.compile(r"(?<=: )((?:[＞＜][＝=]?|[>＞＜<]＝)[^,，}｝\]\s]*(?: [^,，}｝\]\s]+)*)")
 _SIGNS = {code: meant for code, meant in WIDE.items() if meant.strip()}
 
 
 def _wide(text: str) -> str:
     """Half-width characters in place of full-width ones, and what else YAML needs with them: a space behind a colon and
     before a comment, quotes around a limit, square brackets around a list, nothing behind a value."""
-    text = re.sub("： *", ": ", re.sub(r"\s*＃\s*", "  # ", re.sub(r"\s*[；。]\s*$", "", text)))
-    text = _LIST.sub(r"\1[\2]", _LIMIT.sub(r'"\1\2"', text))
+    value, hash_, comment = text.partition("＃")
+    text = f"{value.rstrip()}  # {comment.lstrip()}" if hash_ else text
+    if (end := text.rstrip()).endswith(("；", "。")):
+        text = end[:-1]
+    text = _LIST.sub(_listed, _LIMIT.sub(r'"\1"', re.sub("： *", ": ", text)))
     return re.sub("[，；、] *", _separator, text).translate(_SIGNS)
+
+
+def _listed(match: re.Match[str]) -> str:
+    """A list in square brackets, where there is one in round ones."""
+    return f"{match[1]}[{match[2]}]" if re.search("[,，、；]", match[2]) else match.group()
 
 
 def _separator(match: re.Match[str]) -> str:
@@ -107,6 +117,8 @@ def _places(lines: list[str], finding: Finding) -> list[int]:
 def _rewritten(line: str) -> tuple[str, str]:
     """A line as it is meant, and the code of the first spelling that it has."""
     code, meant = "", line
+    if len(line) > LONGEST_LINE:
+        return meant, code
     for name, rule in _RULES.items():
         kept = [*_QUOTED.finditer(meant)]
         ends = [0, *(match.end() for match in kept)]
