@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from linkwright.expressions.schema_texts import described
+from linkwright.findings import Said
 from linkwright.model.document import VERSION, Document
-from linkwright.words import say
 
 _NAMED = ("properties", "patternProperties", "$defs")
 """Keywords whose entries are schemas by name."""
@@ -20,7 +20,7 @@ def json_schema() -> dict[str, Any]:
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "$id": f"urn:linkwright:model:{VERSION}",
         **schema,
-        "title": say("schema.title"),
+        "title": str(Said("schema.title")),
         "required": ["linkwright", "links"],
     }
 
