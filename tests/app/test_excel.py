@@ -1,4 +1,4 @@
-"""``--excel``: every CSV file begins with the mark by which Excel knows UTF-8, nothing else differs, all is read back."""
+"""``--excel``: CSV files begin with the mark by which Excel knows UTF-8, nothing else differs, and all is read back."""
 
 from __future__ import annotations
 
