@@ -154,6 +154,55 @@ def test_a_terminal_that_knows_few_letters(model: Path, encoding: str) -> None:
     assert json.loads(summary.stdout)["done"] is True
 
 
+CHINESE = """\
+linkwright: 1
+name: 曲柄滑块机构 ä µ ② ✓ 龘
+units: {length: mm, angle: deg, time: s}
+links:
+  frame: {points: {A: [0, 0]}}
+  曲柄: {points: {A: [0, 0], B: [50, 0]}}
+  连杆: {points: {B: [0, 0], C: [160, 0]}}
+  滑块: {points: {C: [0, 0]}}
+joints:
+  导轨: {prismatic: [frame, 滑块], line: [A at 0 deg, C at 0 deg]}
+assembly: {C: ahead of B along 导轨}
+drives:
+  电机: {turns: 曲柄, on: frame, speed: 60 rpm, start: 0 deg}
+measures:
+  行程: {span: 导轨.s}
+studies:
+  cycle: {turns: 1 电机, samples: 12}
+"""
+ASKED_IN_CHINESE = [
+    (["run", "{}"], 0), (["run", "{}", "--json"], 0), (["check", "错.yaml"], 2), (["运行", "{}"], 2),
+    (["run", "{}", "--打开"], 2), (["check", "无此文件 ✓.yaml"], 2), (["modes", "{}"], 0), (["schema"], 0),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("encoding", "language", "most"), [("gbk", "zh", 8), ("cp936", "en", 3), ("cp1252", "zh", 4)])
+def test_consoles_of_chinese_and_western_systems(encoding: str, language: str, most: int, tmp_path: Path) -> None:
+    """Letters that one lacks are replaced; nothing fails, and JSON is whole."""
+    (model := tmp_path / "曲柄滑块.yaml").write_text(CHINESE, "utf-8")
+    (tmp_path / "错.yaml").write_text(CHINESE.replace("speed: 60 rpm", "speed：60转／分"), "utf-8")
+    environment = {**os.environ, "PYTHONIOENCODING": encoding, "PYTHONUTF8": "0", "LANG": "zh_CN.GBK"}
+    for words, code in ASKED_IN_CHINESE[:most]:
+        asked = [word.format(model.name) for word in words]
+        result = run(*asked, "--lang", language, cwd=tmp_path, env=environment, encoding=encoding)
+        assert result.returncode == code, (asked, result.stderr)
+        assert "Traceback" not in result.stderr
+        if "--json" in asked or "schema" in asked:
+            json.loads(result.stdout)
+        elif asked[0] == "run" and code == 0:
+            assert (encoding == "cp1252") or "行程" in result.stdout
+
+
+@pytest.mark.parametrize("name", ["zh_CN.GBK", "zh_CN.GB18030", "zh_CN.UTF-8", "zh_TW.Big5"])
+def test_the_language_of_a_chinese_system(name: str, model: Path) -> None:
+    environment = {**os.environ, "LANG": name, "LC_ALL": name, "PYTHONIOENCODING": "utf-8", "PYTHONUTF8": "0"}
+    result = run("check", model, env=environment)
+    assert result.returncode == 0 and "自由度" in result.stdout
+
+
 @pytest.mark.skipif(os.name == "nt", reason="a closed pipe is another thing on Windows")
 @pytest.mark.parametrize(
     ("text", "words", "code"),

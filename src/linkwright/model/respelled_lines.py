@@ -130,8 +130,13 @@ def _rewritten(line: str) -> tuple[str, str]:
 
 
 def _changed(line: str, other: str) -> str:
-    """What of a line differs from another, with a little around it."""
+    """What of a line differs from another, with whole words around it."""
     short = min(len(line), len(other))
     first = next((i for i in range(short) if line[i] != other[i]), short)
     last = next((i for i in range(short - first) if line[-1 - i] != other[-1 - i]), short - first)
-    return line[max(0, first - AROUND) : len(line) - max(0, last - AROUND)].strip(" ")
+    before, changed, after = line[:first], line[first : len(line) - last], line[len(line) - last :]
+    if len(before) > AROUND:
+        before = re.sub(r"^[^\s,{\[]*[\s,{\[]\s*", "", before[-AROUND:])
+    if len(after) > AROUND:
+        after = re.sub(r"[\s,]+[^\s,]*$", "", after[:AROUND])
+    return f"{before}{changed}{after}".strip(" ")
