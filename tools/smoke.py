@@ -5,7 +5,7 @@
 
 Of a Markdown file it takes, in the order in which they stand,
 
-- `python` blocks, executed in one namespace per file;
+- `python` blocks, executed in one namespace per file; what they print is compared with a `text` block right after;
 - `sh` and `console` blocks: the lines that start with `python3 dev.py`, `linkwright` or
   `python -m linkwright` (in `console` blocks after `$ `); other lines are skipped. What a `console` block shows of
   a command's output is compared with what it prints (`transcripts.py`);
@@ -34,8 +34,9 @@ import time
 import traceback
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from functools import partial
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -71,13 +72,15 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Block:
-    """A fenced block: its language, the line number of its first line of text, the exit code expected."""
+    """A fenced block: its language, the line number of its first line of text, the exit code expected; of a `python`
+    block also what it prints by the `text` block right after it."""
 
     language: str
     line: int
     text: str
     exit_code: int = 0
     skip: bool = False
+    prints: str = ""
 
 
 Unit = tuple[Callable[[Path], list[Outcome]], Path]  # what runs a file, and the file
@@ -107,6 +110,16 @@ def blocks(markdown: str) -> Iterator[Block]:
         skip = "no-run" in words or "no-run" in notes
         yield Block(words[0], first + 1, "\n".join(body) + "\n", codes[-1] if codes else 0, skip)
         notes = []
+
+
+def with_prints(found: list[Block]) -> Iterator[Block]:
+    """The blocks of a page, the `python` ones with what they print by the `text` block right after them."""
+    for block, following in pairwise([*found, Block("", 0, "")]):
+        apart = following.line - block.line - len(block.text.splitlines())  # a fence, a blank line, a fence
+        if block.language == "python" and following.language == "text" and 0 < apart <= 3:
+            yield replace(block, prints=following.text)
+        else:
+            yield block
 
 
 def command_lines(block: Block) -> Iterator[tuple[int, str]]:
@@ -420,7 +433,7 @@ def run_document(
     """Runs the blocks of one Markdown file in a folder, in order; what commands print is kept by the number of their
     lines in `printed`, or else compared with what the page shows."""
     language = language_of(name)
-    for block in blocks(path.read_text(encoding="utf-8")):
+    for block in with_prints(list(blocks(path.read_text(encoding="utf-8")))):
         label = f"{name}:{block.line}"
         if block.skip:
             yield Outcome(f"{label} {block.language}", "skip")
@@ -465,6 +478,8 @@ def run_python(block: Block, path: Path, namespace: dict[str, Any]) -> None:
         raise Failure(said.getvalue() + traceback.format_exc()) from None
     if exit_code != block.exit_code:
         raise Failure(f"{said.getvalue()}exit code {exit_code}, expected {block.exit_code}")
+    if block.prints and (failure := transcripts.difference(block.prints.splitlines(), said.getvalue())):
+        raise Failure(failure)
 
 
 def units(names: list[str]) -> list[Unit]:
