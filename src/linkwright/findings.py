@@ -11,13 +11,13 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from linkwright.escape import line
-from linkwright.words import catalogue
+from linkwright.words import text
 
 
 def _say(key: str, data: Mapping[str, Any]) -> str:
     """A text of the catalogue; what is quoted in it stands in one line."""
     shown = {name: line(value) if isinstance(value, str) else value for name, value in data.items()}
-    return catalogue()[key].format_map(shown)
+    return text(key).format_map(shown)
 
 
 class Said:

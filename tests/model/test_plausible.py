@@ -27,7 +27,7 @@ def test_lengths_that_differ_by_much() -> None:
     data["links"]["coupler"]["points"]["P"] = ["5 mm", 0]
     (note,) = notes(data)
     assert (note.code, note.element) == ("plausible.lengths", "links.coupler")
-    assert {key: note.data[key] for key in ("short", "low", "long", "high", "ratio")} == {
+    assert {key: str(note.data[key]) for key in ("short", "low", "long", "high", "ratio")} == {
         "short": "B-P (coupler)", "low": "0.005 m", "long": "A-D (frame)", "high": "4 m", "ratio": "800",
     }  # fmt: skip
 

@@ -71,6 +71,13 @@ def add(name: str, more: Mapping[str, str]) -> None:
     catalogue(name).update(more)
 
 
+def text(key: str) -> str:
+    """The text of ``key`` in the present language; in the first one where a kind of another package has no other. An
+    unknown key is a programming error."""
+    own = catalogue()
+    return own[key] if key in own else catalogue(LANGUAGES[0])[key]
+
+
 def say(key: str, /, **data: Any) -> str:
-    """The text of ``key`` in the present language with its data filled in. An unknown key is a programming error."""
-    return catalogue()[key].format(**data)
+    """The text of ``key`` with its data filled in."""
+    return text(key).format(**data)

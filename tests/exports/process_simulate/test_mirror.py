@@ -64,7 +64,7 @@ def test_names_and_what_the_files_say() -> None:
     assert done.summary["functions"]["R_j2"] == "-T(L_j2)"
     assert [name for name, joint in done.summary["joints"].items() if joint["mirrored"]] == ["R_j2", "R_j4", "R_j3"]
     assert "L_j2 drives, and R_j2 on the second one follows it." in done.files["joint_functions.txt"]
-    assert done.files["joint_functions.html"].count("on the mirrored hinge") == 3
+    assert done.files["joint_functions.html"].partition("<script")[0].count("on the mirrored hinge") == 3
     head, *rows = csv.reader(io.StringIO(done.files["check_table.csv"]))
     assert [name.split(" ")[0] for name in head][3:] == ["T(R_j2)", "T(R_j4)", "T(R_j3)"]
     table = np.array(rows, dtype=float)

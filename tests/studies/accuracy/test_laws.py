@@ -129,7 +129,7 @@ def checked(data: dict[str, Any]) -> list[tuple[str, Any]]:
     tasks, findings = read_studies(document.studies)
     assert not findings
     task = next(task for task in tasks if task.study.name == "accuracy")
-    return [(f.code, f.data.get("names")) for f in task.study.check(compiled, task.options)]
+    return [(f.code, str(f.data.get("names"))) for f in task.study.check(compiled, task.options)]
 
 
 @pytest.mark.parametrize(
