@@ -25,7 +25,7 @@ from helpers.examples import four_bar
 from linkwright.kernels.numba_kernel import NumbaKernel
 compiled = compiled_from(four_bar())
 kernel = NumbaKernel(compiled.graph.program(["C.x", "C.y"]))
-print(kernel.kept())
+print(kernel.is_cached())
 found = kernel.run(compiled.inputs(np.linspace(0, 6, 500)), compiled.parameters)
 print(sum(kernel.compiled("apart").stats.cache_misses.values()))
 print(found.tobytes().hex())

@@ -320,7 +320,7 @@ def test_most_poses_are_not_followed_one_by_one(monkeypatch: pytest.MonkeyPatch)
         handed.append(targets.shape)
         return reach(self, place, u, now, targets, least)
 
-    monkeypatch.setattr(Pursuit, "reach", counted)
+    monkeypatch.setattr(Pursuit, "advance_to", counted)
     assert np.isfinite(varied.evaluate(["E.x"], p, np.linspace(0, 1, 361))).all()
     assert handed == [(20, 1)]
 
