@@ -71,7 +71,7 @@ def found(monkeypatch: pytest.MonkeyPatch) -> list[tuple[float, ...]]:
         computed.append(tuple(parameters))
         return find(outcome, signs, parameters)
 
-    monkeypatch.setattr(study, "_found", counted)
+    monkeypatch.setattr(study, "_search_mode", counted)
     return computed
 
 
