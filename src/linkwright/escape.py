@@ -42,6 +42,11 @@ def markup(text: object) -> str:
     return html.escape(visible(str(text)))
 
 
+def unmarked(text: str) -> str:
+    """The text that stands in markup."""
+    return html.unescape(text)
+
+
 def json_text(text: str) -> str:
     """The text of a JSON file: the same values, with nothing in it that can't be seen."""
     return _UNSEEN.sub(lambda found: f"\\u{ord(found[0]):04x}", text)

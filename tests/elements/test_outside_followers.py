@@ -219,7 +219,7 @@ TOLD = """@property
         return type(made)(made.wrenches, signals={"slope": 1.0 * ratio, "slip": 3.0 * ratio})
 
     def findings(self, run: Any, path: Any) -> Any:
-        most = run.geometry.written(run.row(f"{path[1]}.slip")[1].max(), u.SPEED)
+        most = run.geometry.text_of(run.row(f"{path[1]}.slip")[1].max(), u.SPEED)
         yield Finding("indexer.slips", path, {"most": most}, severity="warning")
 
     def applied"""

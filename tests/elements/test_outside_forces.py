@@ -255,7 +255,7 @@ p, t = varied.parameters(values), np.linspace(0, 1, 41)
 found = {}
 for name in [name for name, kernel in KERNELS.items() if kernel.available() and name in (sys.argv[1:] or KERNELS)]:
     rows = varied.evaluate(["stop.push", "motor.torque", "stop.energy"], p, t, kernel=name)
-    measured = Measuring(varied, run, kernel=name).of(p).figures
+    measured = Measuring(varied, run, kernel=name).evaluate(p).figures
     figures = {n: {label: f.values.tolist() for label, f in fs.items()} for n, fs in measured.items()}
     found[name] = {"rows": rows.tolist(), "figures": figures}
 start = np.array([0.06, 50.0])

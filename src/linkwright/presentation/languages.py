@@ -7,13 +7,12 @@ before anything else looks at it.
 
 from __future__ import annotations
 
-import html
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from linkwright.escape import markup
+from linkwright.escape import markup, unmarked
 from linkwright.findings import Said
 from linkwright.presentation.payload import script_json
 from linkwright.words import LANGUAGES, in_language, language
@@ -87,20 +86,20 @@ def element(page: str) -> Element:
     root = Element("body", (0, 0), [], (0, len(page)))
     opened, last = [root], 0
     for found in _TAG.finditer(page):
-        opened[-1].texts[-1] += html.unescape(page[last : found.start()])
+        opened[-1].texts[-1] += unmarked(page[last : found.start()])
         last, text = found.end(), found[0]
         if text.startswith("</"):
             done = opened.pop()
             done.inside = (done.inside[0], found.start())
             continue
         name = text.strip("</>").split()[0]
-        attributes = [(key, html.unescape(value)) for key, value in _ATTRIBUTE.findall(text)]
+        attributes = [(key, unmarked(value)) for key, value in _ATTRIBUTE.findall(text)]
         made = Element(name, found.span(), attributes, (found.end(), found.end()))
         opened[-1].elements.append(made)
         opened[-1].texts.append("")
         if name not in _ALONE and not text.endswith("/>"):
             opened.append(made)
-    root.texts[-1] += html.unescape(page[last:])
+    root.texts[-1] += unmarked(page[last:])
     return root
 
 
