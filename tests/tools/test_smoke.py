@@ -16,6 +16,7 @@ def smoke() -> ModuleType:
     spec = importlib.util.spec_from_file_location("smoke_under_test", SMOKE)
     assert spec is not None and spec.loader is not None
     module = importlib.util.module_from_spec(spec)
+    sys.path.append(str(SMOKE.parent))  # of the modules beside it
     sys.modules[spec.name] = module  # dataclasses look their module up
     spec.loader.exec_module(module)
     return module
