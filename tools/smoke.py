@@ -363,7 +363,9 @@ def remake_document(path: Path) -> list[Outcome]:
         where = shown(block, number)
         old = lines[where.start - 1 : where.stop - 1]
         if block.language == "console" and any(old) and transcripts.difference(old, said):
-            lines[where.start - 1 : where.stop - 1] = transcripts.remade(old, said)
+            indent = len(lines[number - 1]) - len(block.text.splitlines()[number - block.line])
+            new = [(" " * indent + line).rstrip() for line in transcripts.remade(old, said)]
+            lines[where.start - 1 : where.stop - 1] = new
     path.write_text("\n".join(lines) + "\n", encoding="utf-8")
     return outcomes
 
