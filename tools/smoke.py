@@ -48,7 +48,7 @@ TIMEOUT = 300.0  # seconds for one command, script or snippet
 OURS = f'"{sys.executable}" -m linkwright'
 REMAKE = "--remake"
 TAIL = 25  # lines shown of what failed
-ENGLISH, CHINESE = "en_US.UTF-8", "zh_CN.UTF-8"  # the locales that commands run in
+ENGLISH, CHINESE = "en_US.UTF-8", "zh_CN.UTF-8"  # values of LANG for commands
 
 FENCE = re.compile(r"^(?P<indent>\s*)(?P<mark>`{3,}|~{3,})\s*(?P<info>[^`]*)$")
 COMMENT = re.compile(r"<!--\s*(.*?)\s*-->")
@@ -204,7 +204,7 @@ class Forks(threading.local):
         assert self.server.stdin is not None
         assert self.server.stdout is not None
         asked = {"folder": str(cwd), "path": [], "words": words, "seconds": timeout}
-        asked |= {"environment": {"LC_ALL": language}, "merged": True}
+        asked |= {"environment": {"LANG": language}, "merged": True}
         self.server.stdin.write(json.dumps(asked) + "\n")
         self.server.stdin.flush()
         code, said, _ = json.loads(self.server.stdout.readline())
@@ -217,8 +217,9 @@ forked = Forks()
 
 
 def bare_environment() -> dict[str, str]:
-    """The environment without the size of a terminal; text is UTF-8."""
-    kept = {name: value for name, value in os.environ.items() if name not in ("COLUMNS", "LINES")}
+    """The environment without the size of a terminal and without a language; text is UTF-8."""
+    left = {"COLUMNS", "LINES", "LC_ALL", "LC_MESSAGES"}
+    kept = {name: value for name, value in os.environ.items() if name not in left}
     return {**kept, "PYTHONUTF8": "1"}
 
 
@@ -241,7 +242,7 @@ def alone(command: str | list[str], cwd: Path, timeout: float, language: str) ->
         done = subprocess.run(
             command,
             cwd=cwd,
-            env={**bare_environment(), "LC_ALL": language},
+            env={**bare_environment(), "LANG": language},
             shell=isinstance(command, str),
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
@@ -362,7 +363,9 @@ def remake_document(path: Path) -> list[Outcome]:
         where = shown(block, number)
         old = lines[where.start - 1 : where.stop - 1]
         if block.language == "console" and any(old) and transcripts.difference(old, said):
-            lines[where.start - 1 : where.stop - 1] = transcripts.remade(old, said)
+            indent = len(lines[number - 1]) - len(block.text.splitlines()[number - block.line])
+            new = [(" " * indent + line).rstrip() for line in transcripts.remade(old, said)]
+            lines[where.start - 1 : where.stop - 1] = new
     path.write_text("\n".join(lines) + "\n", encoding="utf-8")
     return outcomes
 

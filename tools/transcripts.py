@@ -71,14 +71,14 @@ def remade(shown: list[str], said: str) -> list[str]:
     lines = [line.rstrip() for line in said.rstrip().splitlines()]
     parts = pieces(shown)
     if len(parts) == 1:
-        return lines
+        return shortened(parts[0], lines)
     new: list[str] = []
     at = 0
     for index, part in enumerate(parts):
         if part:
             first = at if index == 0 else most_similar(part[0], lines, at)
             last = len(lines) - 1 if index == len(parts) - 1 else most_similar(part[-1], lines, first)
-            new += lines[first : last + 1]
+            new += shortened(part, lines[first : last + 1])
             at = last + 1
         if index < len(parts) - 1:
             new.append(ANY)
@@ -91,3 +91,15 @@ def most_similar(line: str, lines: list[str], start: int) -> int:
     letters = [difflib.SequenceMatcher(None, line, other).ratio() for other in lines[start:]]
     scores = [a + b for a, b in zip(ratios, letters, strict=True)]
     return start + max(range(len(scores)), key=scores.__getitem__)
+
+
+def shortened(part: list[str], lines: list[str]) -> list[str]:
+    """The lines with `...` after as many words as in the lines of a piece that end with it, if they are as many."""
+    if len(part) != len(lines):
+        return lines
+    new = []
+    for old, line in zip(part, lines, strict=True):
+        words = old.split()
+        start = re.match(rf"(\s*\S+){{{len(words) - 1}}}(?=\s)", line) if words[-1] == ANY else None
+        new.append(f"{start[0]} {ANY}" if start else line)
+    return new

@@ -13,6 +13,7 @@ SMOKE = Path(__file__).resolve().parents[2] / "tools" / "smoke.py"
 
 @pytest.fixture(scope="module")
 def smoke() -> ModuleType:
+    sys.path.append(str(SMOKE.parent))  # as for a script
     spec = importlib.util.spec_from_file_location("smoke_under_test", SMOKE)
     assert spec is not None and spec.loader is not None
     module = importlib.util.module_from_spec(spec)
@@ -174,6 +175,50 @@ def test_a_document_runs_in_one_namespace(smoke: ModuleType, tmp_path: Path) -> 
     assert outcomes[1].name == "page.md:5 python"
     assert outcomes[1].detail.startswith("said\n")
     assert f'{path}", line 5' in outcomes[1].detail
+
+
+def test_what_a_snippet_prints_is_compared_with_the_text_block_right_after_it(
+    smoke: ModuleType, tmp_path: Path
+) -> None:
+    path = tmp_path / "page.md"
+    path.write_text(
+        "```python\nprint('a', 1.00001)\n```\n\n```text\na 1\n```\n"
+        "```python\nprint('b')\n```\n\n```text\nc\n```\n"
+        "```python\nprint('b')\n```\n\nWords.\n\n```text\nc\n```\n",
+        encoding="utf-8",
+    )
+    with smoke.Snippets(path, tmp_path) as snippets:
+        outcomes = list(smoke.run_document("page.md", path, tmp_path, snippets))
+    assert [outcome.verdict for outcome in outcomes] == ["ok", "FAIL", "ok"]
+
+
+def test_what_a_block_shows_is_compared_with_what_its_command_prints(smoke: ModuleType) -> None:
+    block = smoke.Block("console", 10, "$ linkwright a \\\n>   b\nfirst\n$ linkwright c\nsecond  2.00001\n...\nlast\n")
+    assert [line for line, _ in smoke.command_lines(block)] == [10, 13]
+    smoke.compare(block, 10, "first\n")
+    smoke.compare(block, 13, "second 2\nmore\n\nlast\n")
+    with pytest.raises(smoke.Failure, match="not printed:\nlast"):
+        smoke.compare(block, 13, "second 2\nlast\nmore\n")
+
+
+@pytest.mark.parametrize(
+    ("name", "language"),
+    [("README.md", "en"), ("docs/how-to/cams.md", "en"), ("README.zh-CN.md", "zh"), ("docs/zh/how-to/cams.md", "zh")],
+)
+def test_commands_of_a_page_speak_its_language(smoke: ModuleType, name: str, language: str, tmp_path: Path) -> None:
+    command = [sys.executable, "-c", "import os; print(os.environ['LANG'], os.environ.get('LC_ALL'))"]
+    assert smoke.call(command, tmp_path, language=smoke.language_of(name)).startswith(language)
+
+
+def test_a_page_is_remade(smoke: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    page = "1. Words.\n\n   ```console\n   $ linkwright --version\n   {}\n   ```\n\n"
+    page += "```console\n$ linkwright --version\n```\n"
+    path = tmp_path / "page.md"
+    path.write_text(page.format("version 0"), encoding="utf-8")
+    monkeypatch.setattr(smoke, "ROOT", tmp_path)
+    monkeypatch.setattr(smoke, "forked", lambda *_: (0, "linkwright, version 7\n"))
+    assert [outcome.verdict for outcome in smoke.remake_document(path)] == ["ok", "ok"]
+    assert path.read_text(encoding="utf-8") == page.format("linkwright, version 7")
 
 
 def test_a_snippet_that_ends_its_process_fails_and_so_do_those_after_it(smoke: ModuleType, tmp_path: Path) -> None:
