@@ -13,7 +13,8 @@ from pydantic import BaseModel, GetJsonSchemaHandler
 from pydantic.json_schema import GenerateJsonSchema
 from pydantic_core.core_schema import CoreSchema, ModelSchema
 
-from linkwright.words import catalogue, say
+from linkwright.findings import Said
+from linkwright.words import catalogue
 
 
 class DescribedSchema(GenerateJsonSchema):
@@ -38,7 +39,7 @@ def described(model: type[BaseModel]) -> dict[str, Any]:
 def description(key: str) -> dict[str, str]:
     """The description by ``CLASS`` or ``CLASS.KEY``, as an entry of a schema; nothing where there is none."""
     key = f"schema.{key}"
-    return {"description": say(key)} if key in catalogue() else {}
+    return {"description": str(Said(key))} if key in catalogue("en") else {}
 
 
 class Described:
