@@ -40,8 +40,8 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "{{extremes: LINK.angle}}}}”、“require: {{swing: 10 deg .. 80 deg}}”。",
     ),
     "element.motor": (
-        "“{name}”：电机和作动器在 drives 中定义。",
-        "例如“drives: {{motor: {{turns: crank, on: frame, speed: 60 rpm, start: 0 deg}}}}”；两点之间的直线作动器定义为缸，并设置使其伸缩的驱动。",
+        "“{name}”：电机和执行器在 drives 中定义。",
+        "例如“drives: {{motor: {{turns: crank, on: frame, speed: 60 rpm, start: 0 deg}}}}”；两点之间的直线执行器定义为缸，并设置使其伸缩的驱动。",
     ),
     "element.pin": (
         "“{name}”：转动副无需列出，由点的名称自动生成。",
