@@ -33,8 +33,8 @@ UNREAD = {"code", "pre", "script", "style"}
 ATTRIBUTES = {"alt", "aria-label", "aria-valuetext", "data-head", "placeholder", "title"}
 FREE = {"name", "note", "source"}
 """Free texts of a model file."""
-FORMAT = {"left", "right", "of", "ahead", "behind", "along"}
-"""Words with which a model file states assembly modes."""
+FORMAT = {"left", "right", "of", "ahead", "behind", "along", "min", "max", "at"}
+"""Words with which a model file states assembly modes and names outputs: ``C: left of B-D``, ``torque max``."""
 WORD = re.compile(r"[A-Za-z]{2,}")
 RUN = re.compile(rf"(?<![\w.-]){WORD.pattern}(?: {WORD.pattern})+(?![\w-])")
 
@@ -88,7 +88,7 @@ def keys(data: Any) -> Iterator[str]:
 
 
 def english(texts: list[str], model: dict[str, Any]) -> list[str]:
-    """Words in a row that neither the model nor the format of model files has."""
+    """Words in a row that neither the model nor the format of model files has all of."""
     free = sorted((model[key] for key in FREE & model.keys()), key=len, reverse=True)
     rest = {key: value for key, value in model.items() if key not in FREE}
     known = FORMAT | {word for text in (*keys(rest), *strings(rest)) for word in WORD.findall(text)}
@@ -97,7 +97,7 @@ def english(texts: list[str], model: dict[str, Any]) -> list[str]:
         plain = " ".join(text.split())
         for written in free:
             plain = plain.replace(" ".join(written.split()), "")
-        found += [run for run in RUN.findall(plain) if len({*WORD.findall(run)} - known) > 1]
+        found += [run for run in RUN.findall(plain) if {*WORD.findall(run)} - known]
     return found
 
 
@@ -129,7 +129,14 @@ def test_no_sentence_of_a_sheet_is_english() -> None:
 
 def test_english_is_seen() -> None:
     model = {"name": "A feeder", "links": {"frame": {}, "upper": {}}, "assembly": {"C": "left of B-D"}}
-    html = """<h1>A feeder：结果</h1><p>杆组 frame upper，模式：C: right of B-D</p><pre>no text</pre><script>no text</script>
-    <p>No values</p><td data-head="Largest value">1</td><svg aria-label="the cam angle"/><a lang="en">In English</a>
+    html = """<h1>A feeder：结果</h1><p>杆组 frame upper，模式：C: right of B-D</p>
+    <pre>no text</pre><script>no text</script><a lang="en">In English</a>
+    <p>closure of frame</p><p>No values</p><td data-head="Largest value">1</td><svg aria-label="the cam angle"/>
     <script id="languages">{"words": {"texts": {"a": "not assembled"}, "n": 1}, "others": {"en": "No text"}}</script>"""
-    assert english(Read(html).texts, model) == ["No values", "Largest value", "the cam angle", "not assembled"]
+    assert english(Read(html).texts, model) == [
+        "closure of frame",
+        "No values",
+        "Largest value",
+        "the cam angle",
+        "not assembled",
+    ]
