@@ -86,8 +86,8 @@ TEXTS: dict[str, str] = {
     "accuracy.chart.legend": "信号：名义值（线）、极值（浅色）、RSS 的 ±3σ（深色）、样本的 ±3σ（点）；有间隙时，另有载荷下的偏移和界限（虚线）。贡献：传递系数乘以标准差。帕累托图：各误差源的方差贡献率及累计贡献率，以百分数表示。直方图：样本、RSS 的正态分布（线）、极值界限（虚线）。收敛图：样本（线）、RSS（虚线）、95 % 置信区间（浅色）。",
     "accuracy.chart.deviation": "{name}：相对名义值的偏差",
     "accuracy.chart.contributions": "{name}：贡献，1σ",
-    "accuracy.chart.pareto": "{name}：方差贡献率，%",
+    "accuracy.chart.pareto": "{name}：方差贡献率（%）",
     "accuracy.chart.histogram": "{name}：样本",
-    "accuracy.chart.convergence.mean": "{name} 的均值随样本数的变化",
-    "accuracy.chart.convergence.sigma": "{name} 的标准差随样本数的变化",
+    "accuracy.chart.convergence.mean": "{name}：均值随样本数的变化",
+    "accuracy.chart.convergence.sigma": "{name}：标准差随样本数的变化",
 }
