@@ -94,6 +94,13 @@ def test_numbers_are_set_right(shown: Printed) -> None:
     }
 
 
+def test_a_table_breaks_lines_between_hanzi(shown: Printed, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(terminal.wide, "_width", 30)
+    text = "在全部 201 个位姿上，所有运动副均封闭。"
+    rows = shown(Table("t", "T", ["a", "b"], [["[x]", text]]))[2:]
+    assert [line.strip() for line in rows if line] == ["[x]  在全部 201 个位姿上，所", "有运动副均封闭。"]
+
+
 def test_cards_are_a_table_of_their_lines(shown: Printed) -> None:
     cards = [Card("First", "own", never, ["B: left of A-C", "C: left of B-D"], "none"), Card("", "", never, [], "none")]
     lines = shown(Cards("assembly", ("No.", "where", "lines"), cards))

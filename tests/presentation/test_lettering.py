@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import pytest
 
-from linkwright.presentation.lettering import joined
+from linkwright.presentation.lettering import breaks, columns, folded, joined, widest
 
 
 @pytest.mark.parametrize(
@@ -20,3 +22,21 @@ from linkwright.presentation.lettering import joined
 )
 def test_lines_are_joined_as_each_language_has_it(text: str, whole: str) -> None:
     assert joined(text) == whole
+
+
+TEXT = "把驱动角度的全部范围分成 12 段，逐段搜索（步长 0.5 deg）。"
+
+
+@pytest.mark.parametrize("room", [12, 16, 20, 40, 80])
+def test_a_text_is_broken_where_it_is_folded(room: int) -> None:
+    edges = [0, *breaks(TEXT, room), len(TEXT)]
+    lines = [TEXT[start:end].rstrip() for start, end in pairwise(edges)]
+    assert lines == [*folded(TEXT, room)]
+    assert all(columns(line) <= room for line in lines)
+    assert not any(line.startswith(tuple("，。）")) or line.endswith("（") for line in lines)
+
+
+def test_what_isn_t_broken_needs_its_width() -> None:
+    assert widest("one 三 three") == 5
+    assert widest("12 段，逐段") == 4  # a sign stays with its hanzi
+    assert widest("") == 0
