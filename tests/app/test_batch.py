@@ -153,3 +153,10 @@ def test_every_model_of_the_gallery_has_a_table(name: str, tmp_path: Path) -> No
     assert new_table(name, tmp_path / "table.csv") == []
     heads, cells = (tmp_path / "table.csv").read_text(encoding="utf-8").splitlines()
     assert heads.count(",") == cells.count(",") >= 2
+
+
+def test_a_table_in_gbk_is_read_with_a_warning(tmp_path: Path) -> None:
+    (tmp_path / "batch.csv").write_bytes("name,x1 [mm]\n左铰链,61\n".encode("gbk"))
+    job = export_batch(tmp_path / "batch.csv", TO, tmp_path / "out")
+    assert job.exit_code == 0 and told(job)[0][:2] == ("file.read-as", 1)
+    assert (tmp_path / "out" / "左铰链_check_table.csv").is_file()

@@ -263,6 +263,26 @@ def test_the_answer_names_the_place_and_the_right_spelling(
     answered(found, (words[0], words[1]), meant)
 
 
+RIGHT = [
+    ("speed: 60 rpm", "speed: 60 r/min"),
+    ("speed: 60 rpm", "speed: 60 rev/min"),
+    ("speed: 60 rpm", "speed: 360°/s"),
+    ("[-15, 0]", "[-1.5 kgf, 0]"),
+    ("[-15, 0]", "[−15, 0]"),
+    ("阻力矩(t)", "阻力矩(t) - 1 Nm"),
+    ("torque: N*m", "torque: Nm"),
+    ("曲柄长: 60", "曲柄长: 30×2"),
+    ("曲柄长: 60", "曲柄长: 60  # 单位：毫米（图 2－1）"),
+    ("name: 曲柄摇杆机构", "name: 曲柄摇杆机构（方案１）——“试制”，２０２６"),
+    ("name: 曲柄摇杆机构", "name: ２０２６"),
+]
+
+
+@pytest.mark.parametrize(("old", "new"), RIGHT, ids=[new for _, new in RIGHT])
+def test_what_is_right_stays_right(old: str, new: str, tmp_path: Path) -> None:
+    assert not check(folder(tmp_path, SOUND.replace(old, new, 1).encode()))
+
+
 FILES = [
     ("utf-16", "file.read-as", ("read as UTF-16", "按 UTF-16 读取")),
     ("gbk", "file.read-as", ("read as GBK", "按 GBK 读取")),

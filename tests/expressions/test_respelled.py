@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from linkwright.expressions.language import ExpressionError, parse
-from linkwright.expressions.respelled import respelled
+from linkwright.expressions.respelled import respelled, unit_respelled
 
 SPELLINGS = {
     "190,5": "190.5",
@@ -53,6 +53,26 @@ SPELLINGS = {
     "2rod": "2*rod",
     "2arm": "2*arm",
     "60 rpm clockwise": "-60 rpm",
+    "clockwise 60 rpm": "-60 rpm",
+    "60 rpm (ccw)": "60 rpm",
+    "60转/分 顺时针": "-60 rpm",
+    "每秒2转": "2 r/s",
+    "9.8 m·s⁻²": "9.8 m/s^2",
+    "6 rad*s^-1": "6 rad/s",
+    "2pi rad/s": "2*pi*(1 rad/s)",
+    "√900": "sqrt(900)",
+    "-30°15'": "-(30 deg + 15 arcmin)",
+    "30º": "30°",
+    "30 ㎟": "30 mm^2",
+    "0.2 千克平方米": "0.2 kg*m^2",
+    "9.8 米/秒2": "9.8 m/s^2",
+    "3 牛每毫米": "3 N/mm",
+    "5 N-m": "5 N*m",
+    "5 N m": "5 N*m",
+    "5 公斤/平方厘米": "5 kgf/cm^2",
+    "10 马力": "10*735.5 W",
+    "曲柄的angle": "曲柄.angle",
+    "AB = 2*CD": "2*CD",
 }
 
 
@@ -90,6 +110,50 @@ def test_a_comma_before_three_digits_may_be_either() -> None:
     found = respelled("1,900 mm")
     assert found is not None
     assert str(found[1]) == "Write '1.900 mm', or '1900 mm' if the comma separates thousands."
+
+
+@pytest.mark.parametrize(
+    ("text", "choice"),
+    [
+        ("30′", ("30 arcmin", "30 ft")),
+        ('20"', ("20 arcsec", "20 in")),
+        ("30～32 mm", ("30", "32 mm")),
+        ("3(曲柄长)", ("3*(曲柄长)", "3  # 曲柄长")),
+    ],
+)
+def test_what_may_be_meant_in_two_ways(text: str, choice: tuple[str, str]) -> None:
+    found = respelled(text)
+    assert found is not None and str(found[1]) == f"Write '{choice[0]}' or '{choice[1]}', whichever is meant."
+
+
+@pytest.mark.parametrize(
+    ("text", "hint"),
+    [
+        ("φ30", "Write '30'."),
+        ("⌀12 mm", "Write '12 mm'."),
+        ("φ30H7", "Write '{value: 30, tolerance: H7}'."),
+        ("φ30±0.02", "Write '{value: 30, tolerance: 0.02}'."),
+        ("60 mm（中心距）", "Write '60 mm  # 中心距'."),
+    ],
+)
+def test_a_dimension_of_a_drawing(text: str, hint: str) -> None:
+    found = respelled(text)
+    assert found is not None and str(found[1]) == hint
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("毫米", "mm"), ("牛·米", "N*m"), ("牛米", "N*m"), ("N·m", "N*m"), ("N×m", "N*m"), ("N.m", "N*m"),
+        ("mm2", "mm^2"), ("公斤力·米", "kgf*m"), ("毫米每秒", "mm/s"), ("foo", None), ("", None), ("2", None),
+    ],
+)  # fmt: skip
+def test_a_unit_alone(text: str, meant: str | None) -> None:
+    assert unit_respelled(text) == meant
+
+
+def test_a_parameter_may_have_the_name_of_a_sign() -> None:
+    assert respelled("φ30", ["φ30"]) is None
 
 
 def test_a_tolerance_beside_its_value() -> None:

@@ -41,7 +41,7 @@ def _wide(text: str) -> str:
     if (end := text.rstrip()).endswith(("；", "。")):
         text = end[:-1]
     text = _LIST.sub(_listed, _LIMIT.sub(r'"\1"', re.sub("： *", ": ", text)))
-    return re.sub("[，；、] *", _separator, text).translate(_SIGNS)
+    return _separated(text).translate(_SIGNS)
 
 
 def _listed(match: re.Match[str]) -> str:
@@ -49,21 +49,18 @@ def _listed(match: re.Match[str]) -> str:
     return f"{match[1]}[{match[2]}]" if re.search("[,，、；]", match[2]) else match.group()
 
 
-def _separator(match: re.Match[str]) -> str:
-    """A comma with a space; a decimal point between digits that stand in no list."""
-    sign, before, after = match.group()[0], match.string[: match.start()], match.string[match.end() :]
-    opened = _opened(before)
-    if opened != "[" and before[-1:].isdigit() and after[:1].isdigit():
-        return "." if match.group() == "，" else match.group()
-    return ", " if opened or sign == "，" else match.group()
-
-
-def _opened(text: str) -> str:
-    """The bracket of a list or mapping that is open at the end of a text."""
-    opened = ""
-    for letter in text.translate(_SIGNS):
-        opened = opened + letter if letter in "[{" else opened[:-1] if letter in "]}" else opened
-    return opened[-1:]
+def _separated(text: str) -> str:
+    """Commas with a space in place of full-width marks; a decimal point between digits that stand in no list."""
+    parts, opened = re.split("([，；、] *)", text), ""
+    for at, part in enumerate(parts):
+        if at % 2 == 0:
+            for letter in part.translate(_SIGNS):
+                opened = opened + letter if letter in "[{" else opened[:-1] if letter in "]}" else opened
+        elif opened[-1:] != "[" and parts[at - 1][-1:].isdigit() and parts[at + 1][:1].isdigit():
+            parts[at] = "." if part == "，" else part
+        elif opened or part[0] == "，":
+            parts[at] = ", "
+    return "".join(parts)
 
 
 def _spaced(text: str) -> str:
