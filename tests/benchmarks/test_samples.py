@@ -13,7 +13,7 @@ from linkwright.kernels import KERNELS
 def test_every_figure_is_positive(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(samples, "best", lambda: "numpy")
     monkeypatch.setattr(samples, "memory", lambda count: 1.0)
-    figures = samples.measure(200, 1, higher_group=False)
+    figures = samples.measure(200, 1, cluster=False)
     assert {"numpy_1_threads_s", "numpy_2_threads_s", "numpy_2_threads_ns_per_pose"} <= set(figures)
     for name, value in figures.items():
         assert math.isfinite(value), name

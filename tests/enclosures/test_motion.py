@@ -33,6 +33,8 @@ def test_samples_lie_inside(name: str) -> None:
     h = rng.uniform(-0.999999, 0.999999, (SAMPLES, on.count))
     t = (on.mid + on.half * h).ravel()
     clear = run.compiled.passages.outside(t).reshape(h.shape)
+    # Panels are a little wider than asked for; past an edge where a load begins, its other side is computed.
+    clear &= (t.reshape(h.shape) >= ends[:-1]) & (t.reshape(h.shape) <= ends[1:])
     for measure, (node, model) in zip(nodes, zip(nodes.values(), models, strict=True), strict=True):
         value = np.asarray(run.jets(node, t).d[0]).reshape(h.shape)
         middle = evaluated(model.c[:, None, :], h)
