@@ -155,7 +155,7 @@ _OUTSIDE: list[str] | None = None
 @cache
 def _watch() -> None:
     """Note files that are opened for writing outside the working folder."""
-    own = [os.environ.get("LINKWRIGHT_CACHE") or os.devnull, tempfile.gettempdir(), "/dev", "/proc"]
+    own = [os.devnull, tempfile.gettempdir(), "/dev", "/proc"]
     allowed = tuple(os.path.realpath(place) for place in own)
 
     def hook(event: str, given: tuple[Any, ...]) -> None:

@@ -50,7 +50,7 @@ def measure(n: int, poses: int) -> dict[str, float]:
     made = program(n)
     found = {"unknowns": n, "instructions": float(made.size)}
     found["lapack"] = 1e9 / poses * spent(lambda: np.linalg.solve(*(lambda a, b: (a, b[..., None]))(*system(n, u))))
-    for name in ("numpy", "numba"):
+    for name in ("numpy", "llvm"):
         if not KERNELS[name].available():
             continue
         kernel, out = KERNELS[name](made), np.empty((n, poses))

@@ -99,7 +99,7 @@ def closed_form(a: float, b: float, c: float, d: float, q: Array) -> Array:
 
 def best() -> str:
     """The fastest kernel that is installed."""
-    return "numba" if KERNELS["numba"].available() else "numpy"
+    return "llvm" if KERNELS["llvm"].available() else "numpy"
 
 
 def measure(samples: int, repeats: int, kernel: str, looped: int = 2000) -> dict[str, float]:

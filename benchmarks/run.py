@@ -37,8 +37,8 @@ def command(*words: str) -> Callable[[], object]:
 
 def one_thread(compiled: lw.Compiled, poses: int) -> float:
     """Nanoseconds a pose of the machine code on one thread."""
-    times = bench(compiled, OUTPUTS, poses, workers=1, seconds=1.5, kernels=["numba"])
-    return times.kernels["numba"].ns_per_pose
+    times = bench(compiled, OUTPUTS, poses, workers=1, seconds=1.5, kernels=["llvm"])
+    return times.kernels["llvm"].ns_per_pose
 
 
 def measure(poses: int) -> dict[str, float]:
@@ -62,8 +62,8 @@ def measure(poses: int) -> dict[str, float]:
         figures[f"{name}_cold_s"] = kernel.cold_s
         figures[f"{name}_ns_per_pose"] = kernel.ns_per_pose
         figures[f"{name}_over_fill"] = kernel.ns_per_pose / times.fill_ns_per_pose
-        if name == "numba":
-            figures["numba_one_thread_over_fill"] = one_thread(compiled, poses) / times.fill_ns_per_pose
+        if name == "llvm":
+            figures["llvm_one_thread_over_fill"] = one_thread(compiled, poses) / times.fill_ns_per_pose
     with tempfile.TemporaryDirectory() as folder:
         figures["help_s"] = median(command("--help"), 5)
         figures["run_with_report_s"] = median(command("run", str(FEEDER), "--out", folder), 5)

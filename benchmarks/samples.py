@@ -65,7 +65,7 @@ def memory(samples: int) -> float:
 
 def best() -> str:
     """The fastest kernel that is installed."""
-    return "numba" if KERNELS["numba"].available() else "numpy"
+    return "llvm" if KERNELS["llvm"].available() else "numpy"
 
 
 def measure(samples: int, repeats: int, cluster: bool = True) -> dict[str, float]:

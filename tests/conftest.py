@@ -1,6 +1,5 @@
 """Common to all tests: reproducible property tests, without a deadline; the scripts of benchmarks/ by plain names;
-a folder of compiled kernels that processes share and the user's own isn't touched by; the garbage collector passes over
-what was imported and collected."""
+the garbage collector passes over what was imported and collected."""
 
 from __future__ import annotations
 
@@ -15,7 +14,6 @@ from hypothesis.internal.conjecture import providers
 ROOT = Path(__file__).parents[1]
 sys.path.append(str(ROOT / "benchmarks"))
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before NumPy comes: every worker has but one core
-os.environ.setdefault("LINKWRIGHT_CACHE", str(ROOT / ".pytest_cache" / "linkwright"))
 
 settings.register_profile(
     "linkwright",

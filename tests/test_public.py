@@ -122,7 +122,7 @@ def test_typing_sees_what_is_loaded() -> None:
 
 def test_the_registered_names() -> None:
     assert set(REGISTRY) == {"RRR", "RRP", "RPR", "PRP", "RPP"}
-    assert set(KERNELS) == {"jax", "numba", "numpy"}
+    assert set(KERNELS) == {"jax", "llvm", "numpy"}
     assert set(STUDIES) == {"accuracy", "cam", "cycle", "limits", "modes", "reactions", "sweep", "workspace"}
     assert set(TARGETS) == {"mjcf", "motor-expressions", "process-simulate"}
 

@@ -28,7 +28,7 @@ SAID = {
     "export model.yaml": "mjcf, motor-expressions, process-simulate",
     "export model.yaml --to mujoco": "Did you mean 'mjcf'?",
     "export model.yaml --to process-simulate --dialect wizrd": "Did you mean 'wizard'?",
-    "bench model.yaml --kernel nmba": "Did you mean 'numba'?",
+    "bench model.yaml --kernel lvm": "Did you mean 'llvm'?",
 }
 
 

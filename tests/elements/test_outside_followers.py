@@ -149,7 +149,7 @@ def test_it_is_known_everywhere(folder: Path) -> None:
     done = run(folder, model, "accuracy", "model.yaml", "--out", "accuracy", "--json", "--samples", "0")
     peak = json.loads(done.stdout)["accuracy"]["peak"]  # a cycloid's peak is 4 h a second
     assert (peak["nominal"], *peak["worst_case"]["deviation"]) == pytest.approx((360, -2, 2), abs=1e-9)
-    for study in (["sweep", "--kernel", "numpy"], ["sweep", "--kernel", "numba"]):
+    for study in (["sweep", "--kernel", "numpy"], ["sweep", "--kernel", "llvm"]):
         done = run(folder, model, study[0], "model.yaml", *study[1:], "--out", "".join(study))
         assert done.returncode == 0, (study, done.stderr)
 

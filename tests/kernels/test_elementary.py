@@ -6,21 +6,26 @@
 from __future__ import annotations
 
 import math
-import platform
 import re
 import sys
 from collections.abc import Callable
 from functools import cache
 from typing import Any, NamedTuple
 
+import casadi as ca
 import mpmath as mp
 import numpy as np
 import pytest
 
-from linkwright.kernels.elementary import FARTHEST, FUNCTIONS, source
+from linkwright.graph.program import ExpressionStage, Program
+from linkwright.kernels.elementary import FARTHEST, FUNCTIONS
+from linkwright.kernels.llvm_entries import text
+from linkwright.kernels.llvm_kernel import LlvmKernel, PoseFunction
+from linkwright.kernels.llvm_source import KernelSource
+from linkwright.kernels.machine_code import Machine
+from linkwright.kernels.operations import OPERATIONS
 
 nan, inf, tiny = math.nan, math.inf, 5e-324
-OPTIONS = "fastmath={'contract', 'arcp', 'nsz'}, error_model='numpy'"
 SORT = 600
 """Arguments of each sort in a test."""
 
@@ -52,6 +57,11 @@ def sizes(rng: np.random.Generator, least: float, most: float, n: int) -> Any:
     return 10.0 ** rng.uniform(least, most, n) * rng.choice([-1.0, 1.0], n)
 
 
+def powers(base: Any, logarithm: Any) -> Any:
+    """Bases, and exponents whose power has a logarithm."""
+    return np.array([base, logarithm / np.log(np.where(base == 1.0, 2.0, base))])
+
+
 ARGUMENTS: dict[str, Callable[[np.random.Generator, int], Any]] = {
     "quarters": near_quarters,
     "few": lambda rng, n: rng.uniform(-4.0, 4.0, n),
@@ -69,6 +79,8 @@ ARGUMENTS: dict[str, Callable[[np.random.Generator, int], Any]] = {
     "like pairs": lambda rng, n: sizes(rng, -323.3, 308.0, n) * np.array([np.ones(n), rng.uniform(0.2, 1.5, n)]),
 }
 ANGLES = ("quarters", "few", "angles", "below 1")
+ARGUMENTS["powers"] = lambda rng, n: powers(np.abs(sizes(rng, -300, 300, n)), rng.uniform(-745, 709, n))
+ARGUMENTS["small powers"] = lambda rng, n: powers(1.0 + sizes(rng, -15, -0.5, n), rng.uniform(-30, 30, n))
 UNIT = ("unit", "ends", "halves", "below 1")
 PAIRS = ("pairs", "any pairs", "like pairs")
 FAR = [(inf, nan), (-inf, nan), (1.0000001 * FARTHEST, nan), (-1e300, nan)]
@@ -101,6 +113,15 @@ CASES: dict[str, Case] = {
         mp.log, ("positive", "around 1"), 1.0,
         [(1.0, 0.0), (0.0, -inf), (-0.0, -inf), (inf, inf), (-1.0, nan), (-inf, nan)],
     ),
+    "power": Case(
+        mp.power, ("powers", "small powers"), 1.5,
+        [
+            (0.0, 0.0, 1.0), (0.0, 2.5, 0.0), (0.0, -1.0, inf), (0.0, inf, 0.0), (1.0, nan, 1.0), (nan, 0.0, 1.0),
+            (-2.0, 3.0, -8.0), (-2.0, 2.0, 4.0), (-2.0, -1.0, -0.5), (-8.0, 1 / 3, nan), (-1.0, 1e300, 1.0),
+            (3.0, 2.0**53, inf), (3.0, -(2.0**53), 0.0), (inf, 0.5, inf), (inf, -0.5, 0.0), (-inf, 3.0, -inf),
+            (-inf, -0.5, 0.0), (0.5, inf, 0.0), (0.5, -inf, inf), (2.0, 1023.0, 2.0**1023), (2.0, -1074.0, tiny),
+        ],
+    ),
     "fmin": Case(min, PAIRS, 0.0, [(-inf, 1.0, -inf), (inf, 1.0, 1.0), (1.0, 1.0, 1.0), *MISSING]),
     "fmax": Case(max, PAIRS, 0.0, [(-inf, 1.0, 1.0), (inf, 1.0, inf), (1.0, 1.0, 1.0), *MISSING]),
     "sign": Case(mp.sign, ("any",), 0.0, [(0.0, 0.0), (-0.0, 0.0), (inf, 1.0), (-inf, -1.0)]),
@@ -113,33 +134,24 @@ CASES: dict[str, Case] = {
         [(0.0, 0.0, 0.0), (tiny, 0.0, tiny), (3.0, 4.0, 5.0), (inf, 1.0, inf), (1.0, -inf, inf), (1.7e308, 1e308, inf)],
     ),
 }  # fmt: skip
-DROPS_NAN = {"fmin", "fmax"}  # as in C
-WAYS = ["python", "compiled"]
+DROPS_NAN = {"fmin", "fmax", "power"}  # as in C
+WAYS = ["python", "vector", "pose"]
+CALLED = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2"}
 
 
-# The two ways to run them.
+# The ways to run them.
 
 
 @cache
-def compiled(name: str) -> Any:
-    """A compiled loop ``(x, out)`` or ``(x, y, out)``, made as a kernel would be."""
-    pytest.importorskip("numba", reason="compiled functions need numba")
-    text = source([name], f"@njit(forceinline=True, {OPTIONS})")
-    return looped(text, f"{name}(x[i])" if operands(name) == 1 else f"{name}(x[i], y[i])", operands(name))
-
-
-def looped(text: str, call: str, count: int) -> Any:
-    from numba import njit
-
-    space: dict[str, Any] = {"math": math, "np": np, "njit": njit}
-    loop = f"""
-@njit({OPTIONS})
-def loop({"x, y"[: 3 * count - 2]}, out):
-    for i in range(out.size):
-        out[i] = {call}
-"""
-    exec(text + loop, space)
-    return space["loop"]
+def compiled(name: str, way: str) -> LlvmKernel | PoseFunction:
+    """The function as written by the LLVM emitter: over vectors, or of one pose."""
+    pytest.importorskip("llvmlite", reason="compiled functions need llvmlite")
+    x = ca.SX.sym("x", operands(name))
+    code = next(each.codes[0] for each in OPERATIONS.values() if each.name in (name, CALLED.get(name)))
+    row = ca.SX.unary(code, x[0]) if operands(name) == 1 else ca.SX.binary(code, x[0], x[1])
+    stage = ExpressionStage(ca.Function("one", [x, ca.SX(0, 1)], [row]))
+    program = Program((), stage, ("x", "y")[: operands(name)], (), (name,))
+    return LlvmKernel(program) if way == "vector" else PoseFunction(program)
 
 
 def operands(name: str) -> int:
@@ -150,9 +162,10 @@ def results(way: str, name: str, arguments: Any) -> Any:
     """Values at ``arguments`` (operands, n)."""
     if way == "python":
         return np.array([FUNCTIONS[name](*map(float, point)) for point in arguments.T])
-    out = np.empty(arguments.shape[1])
-    compiled(name)(*np.ascontiguousarray(arguments), out)
-    return out
+    made = compiled(name, way)
+    if isinstance(made, LlvmKernel):
+        return made.run(np.ascontiguousarray(arguments), np.zeros(0))[0]
+    return np.array([made(point, np.zeros(0))[0] for point in arguments.T])
 
 
 @cache
@@ -210,74 +223,25 @@ def test_nan_stays(name: str, way: str) -> None:
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_a_compiled_value_does_not_depend_on_how_many_are_computed(name: str) -> None:
-    """Some fall into the vector loop, some into what is left over, one alone always there: the same to the last bit."""
-    arguments = exact(name, SORT)[0][:, ::9]
-    alone = [results("compiled", name, arguments[:, i : i + 1])[0] for i in range(arguments.shape[1])]
-    np.testing.assert_array_equal(results("compiled", name, arguments), alone)
+def test_all_ways_give_the_same_bits(name: str) -> None:
+    """Python, vectors of any lanes, one pose: but for the bits of NaN and the sign of zero."""
+    ends = np.array(CASES[name].edges).T[:-1]
+    arguments = np.concatenate([exact(name, SORT)[0][:, ::9], ends], axis=1)
+    python, *others = (results(way, name, arguments) + 0.0 for way in WAYS)
+    for found in others:
+        np.testing.assert_array_equal(found, python)
+        assert found[~np.isnan(found)].tobytes() == python[~np.isnan(python)].tobytes()
 
 
-# Text and machine code.
-
-
-def packed(loop: Any) -> int:
-    """Instructions of a compiled loop that compute on several doubles at once."""
-    found = r"\tv?(?:add|sub|mul|div|sqrt|min|max|cmp\w*|blend\w*|fn?m(?:add|sub)\w+)pd\t"
-    return sum(len(re.findall(found, text)) for text in loop.inspect_asm().values())
-
-
-@pytest.fixture
-def avx2() -> None:
-    """With the two doubles of SSE2 a compiler finds some loops not worth it, and other machines have other names."""
-    pytest.importorskip("numba", reason="compiled functions need numba")
-    from llvmlite import binding
-
-    if platform.machine() not in ("x86_64", "AMD64") or not binding.get_host_cpu_features().get("avx2"):
-        pytest.skip("reads machine code of x86 with AVX2")
-
-
-on_avx2 = pytest.mark.usefixtures("avx2")
-
-
-@on_avx2
-@pytest.mark.parametrize("name", CASES)
-def test_a_loop_vectorises(name: str) -> None:
-    loop = compiled(name)
-    loop(*np.ones((operands(name), 3)), np.empty(3))
-    assert packed(loop) >= 2
-
-
-@on_avx2
-def test_a_loop_of_the_library_does_not() -> None:
-    loop = looped("", "math.sin(x[i])", 1)
-    loop(np.ones(3), np.empty(3))
-    assert packed(loop) == 0
-
-
-@on_avx2
-def test_sine_and_cosine_of_an_angle_share_their_work() -> None:
-    one = compiled("sin")
-    one(np.ones(3), np.empty(3))
-    text = source(["sin", "cos"], f"@njit(forceinline=True, {OPTIONS})")
-    both = looped(text, "sin(x[i]) * cos(x[i])", 1)
-    both(np.ones(3), np.empty(3))
-    assert packed(both) < 1.2 * packed(one)
-
-
-def test_source_is_what_is_needed_and_no_more() -> None:
-    needed = ["FARTHEST", "ROUNDER", "_quadrant", "_sine", "_cosine", "sin"]
-    assert re.findall(r"^(?:def )?(\w+)", source(["sin"]), re.M) == needed
-    assert source(["sign"], "@here").startswith("@here\ndef sign(")
-    assert source(["tan", "log", "atan"]) == source(["atan", "tan", "log", "tan"])
-    assert source([]) == ""
-
-
-def test_source_stands_alone() -> None:
-    space: dict[str, Any] = {"math": math, "np": np}
-    exec(source(FUNCTIONS), space)
-    for name, function in FUNCTIONS.items():
-        point = (0.5, 0.25)[: operands(name)]
-        assert space[name](*point) == function(*point)
+def test_no_function_of_the_library_is_called() -> None:
+    """All are written out: the text has no other calls than of square roots, magnitudes and its own functions."""
+    rows = [ca.SX.unary(OPERATIONS[name].codes[0], ca.SX.sym("x")) for name in ("sin", "exp", "log", "arctan")]
+    symbols = ca.vertcat(*(ca.symvar(row)[0] for row in rows))
+    stage = ExpressionStage(ca.Function("some", [symbols, ca.SX(0, 1)], [ca.vertcat(*rows)]))
+    program = Program((), stage, tuple("abcd"), (), tuple("abcd"))
+    made = text(KernelSource(program, "apart", Machine(8, False, "", "")))
+    called = set(re.findall(r"call \S+(?: x double>)? @([\w.]+)", made))
+    assert called <= {"llvm.fabs.v8f64", "llvm.sqrt.v8f64", "load", "save", "block_own0"}
 
 
 if __name__ == "__main__":

@@ -8,9 +8,8 @@ from helpers.compiled import compiled_from
 from helpers.examples import feeder
 from linkwright.findings import ModelError
 from linkwright.graph.program import Program
-from linkwright.kernels import KERNELS
+from linkwright.kernels import KERNELS, machine_code
 from linkwright.kernels.kernel_selection import choose
-from linkwright.kernels.numba_kernel import NumbaKernel
 from linkwright.kernels.numpy_blocks import NumpyKernel
 
 
@@ -20,27 +19,27 @@ def program() -> Program:
 
 
 def test_small_work_is_never_compiled(program: Program, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(NumbaKernel, "available", classmethod(lambda cls: True))
+    monkeypatch.setattr(machine_code, "available", lambda: True)
     for poses in (1, 200, 100_000):
-        choice = choose(program, poses, workers=64)
+        choice = choose(program, poses)
         assert (choice.kernel, choice.key) == ("numpy", "kernel-small")
         assert f"{program.size} instructions" in str(choice.reason)
 
 
 def test_large_work_is(program: Program, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(NumbaKernel, "available", classmethod(lambda cls: True))
-    assert choose(program, 10**9).kernel == "numba"
-    monkeypatch.setattr(NumbaKernel, "available", classmethod(lambda cls: False))
+    monkeypatch.setattr(machine_code, "available", lambda: True)
+    assert choose(program, 10**9).kernel == "llvm"
+    monkeypatch.setattr(machine_code, "available", lambda: False)
     choice = choose(program, 10**9)
     assert choice.kernel == "numpy"
     assert "linkwright[fast]" in str(choice.reason)
 
 
 def test_more_work_never_goes_back(program: Program, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(NumbaKernel, "available", classmethod(lambda cls: True))
+    monkeypatch.setattr(machine_code, "available", lambda: True)
     kernels = [choose(program, 10**k).kernel for k in range(12)]
-    assert kernels == sorted(kernels, reverse=True)
-    assert set(kernels) == {"numpy", "numba"}
+    assert kernels == sorted(kernels, key=["numpy", "llvm"].index)
+    assert set(kernels) == {"numpy", "llvm"}
 
 
 def test_a_wish_is_granted_or_refused(program: Program, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -52,4 +51,4 @@ def test_a_wish_is_granted_or_refused(program: Program, monkeypatch: pytest.Monk
     monkeypatch.setattr(NumpyKernel, "__init__", missing)
     with pytest.raises(ModelError):
         choose(program, 1, wish="numpy")
-    assert set(KERNELS) >= {"numpy", "numba", "jax"}
+    assert set(KERNELS) >= {"numpy", "llvm", "jax"}

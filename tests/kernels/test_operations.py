@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection
 
 import casadi as ca
@@ -14,7 +13,7 @@ from linkwright.enclosures.panels import Panels
 from linkwright.enclosures.program import BOXES, Stage, taylor
 from linkwright.enclosures.taylor import TaylorModel
 from linkwright.graph.program import ExpressionStage, Program
-from linkwright.kernels import KERNELS, jax_trace, numba_source, numpy_blocks
+from linkwright.kernels import KERNELS, jax_trace, numpy_blocks, straight_line
 from linkwright.kernels.operations import OPERATIONS, Operation, operation
 
 WRITTEN_OUT = ("twice", "if_else_zero")
@@ -22,7 +21,7 @@ WRITTEN_OUT = ("twice", "if_else_zero")
 EMITTERS: dict[str, Collection[str]] = {
     "numpy": numpy_blocks.FUNCTIONS,
     "jax": {*jax_trace.NAMES, *WRITTEN_OUT},
-    "numba": {*numba_source.OPERATORS, *numba_source.CALLS},
+    "written": straight_line.WRITABLE,
     "taylor models": taylor().functions,
     "boxes": BOXES.functions,
 }
@@ -62,12 +61,6 @@ def test_codes_belong_to_one_operation() -> None:
 @pytest.mark.parametrize("emitter", EMITTERS)
 def test_each_emitter_knows_each_operation_and_no_other(emitter: str) -> None:
     assert {*EMITTERS[emitter]} == {*OPERATIONS}
-
-
-def test_text_has_as_many_operands_as_its_operation() -> None:
-    for name, text in numba_source.OPERATORS.items():
-        assert {*re.findall(r"\{(\d)\}", text)} == {str(i) for i in range(OPERATIONS[name].operands)}
-    assert not {*numba_source.OPERATORS} & {*numba_source.CALLS}
 
 
 @pytest.mark.parametrize("kernel", every())

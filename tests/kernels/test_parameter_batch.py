@@ -286,8 +286,8 @@ ON_A_PLATFORM, IN_CLASS_FOUR = (platform, ["plate.angle", "B3.x"]), (class_four,
     [
         (*ON_A_PLATFORM, "numpy"),
         (*IN_CLASS_FOUR, "numpy"),
-        pytest.param(*ON_A_PLATFORM, "numba", marks=pytest.mark.long),
-        (*IN_CLASS_FOUR, "numba"),
+        pytest.param(*ON_A_PLATFORM, "llvm", marks=pytest.mark.long),
+        (*IN_CLASS_FOUR, "llvm"),
     ],
 )
 def test_poses_foretold_by_paths_are_those_followed_one_by_one(

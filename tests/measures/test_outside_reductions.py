@@ -75,7 +75,7 @@ def test_without_its_package_its_key_is_unknown(tmp_path: Path) -> None:
     assert "peak_to_peak_over_rms" in done.stderr
 
 
-@pytest.mark.parametrize("kernel", ["numpy", "numba"])
+@pytest.mark.parametrize("kernel", ["numpy", "llvm"])
 def test_sweeps_take_it(tmp_path: Path, kernel: str) -> None:
     done, out = told(tmp_path, sweep={"vary": {"r": [90, 100, 130]}, "kernel": kernel})
     assert done.returncode == 0, done.stderr

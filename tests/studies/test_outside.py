@@ -53,8 +53,8 @@ def test_its_command_takes_its_settings(folder: Path) -> None:
     assert "--samples" in helped and "--kernel" in helped and "--workers" not in helped
     plain, fine = (run(folder, "shaking", "model.yaml", *more)["shaking"] for more in ((), ("--samples", "96")))
     assert fine["largest"] >= plain["largest"]
-    numba = run(folder, "shaking", "model.yaml", "--kernel", "numba")["shaking"]
-    assert (numba["kernel"], numba["largest"]) == ("numba", pytest.approx(plain["largest"], rel=1e-12))
+    llvm = run(folder, "shaking", "model.yaml", "--kernel", "llvm")["shaking"]
+    assert (llvm["kernel"], llvm["largest"]) == ("llvm", pytest.approx(plain["largest"], rel=1e-12))
 
 
 def test_its_options_are_checked_and_in_the_schema(folder: Path) -> None:

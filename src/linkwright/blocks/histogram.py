@@ -13,14 +13,13 @@ from linkwright.blocks.work import Arrays
 
 @dataclass(frozen=True)
 class Histogram:
-    """Counts between fixed ``edges``, a rising row for each output; ``fast`` takes the compiled twin (Numba).
+    """Counts between fixed ``edges``, a rising row for each output.
 
     A value counts in the bin whose lower edge it isn't below and whose upper edge it is below; the last bin has its
     upper edge too. Figures: ``counts`` (outputs, bins, poses); ``under``, ``over`` and ``missing`` (outputs, poses).
     """
 
     edges: Sequence[Sequence[float]]
-    fast: bool = False
 
     def __post_init__(self) -> None:
         edges = np.array(self.edges, dtype=np.float64)
@@ -33,7 +32,7 @@ class Histogram:
         edges = np.array(self.edges)
         if len(edges) != outputs:
             raise ValueError(f"{outputs} outputs, but edges for {len(edges)}")
-        return HistogramTally(edges, poses, self.fast)
+        return HistogramTally(edges, poses)
 
     def fold(self, state: Arrays, later: Arrays) -> Arrays:
         """The state of both."""
@@ -48,21 +47,15 @@ class Histogram:
 class HistogramTally:
     """Counts of one atom: slot 0 lies below the edges, the last one above them."""
 
-    def __init__(self, edges: Array, poses: int, fast: bool) -> None:
+    def __init__(self, edges: Array, poses: int) -> None:
         self._edges = edges
         self._inner = edges.copy()  # with the last edge just above its value, which then counts in the last bin
         self._inner[:, -1] = np.nextafter(edges[:, -1], np.inf)
         self.slots = np.zeros((len(edges), edges.shape[1] + 1, poses), np.int64)
         self.missing = np.zeros((len(edges), poses), np.int64)
-        self._fast = fast
 
     def add(self, y: Array, first: int) -> None:
         """Count in ``y`` (outputs, samples, poses)."""
-        if self._fast:
-            from linkwright.blocks.numba_reductions import histogram
-
-            histogram(np.ascontiguousarray(y, dtype=np.float64), self._inner, self.slots, self.missing)
-            return
         slots, poses = self.slots.shape[1:]
         pose = np.arange(poses)
         for output, (values, edges) in enumerate(zip(y, self._inner, strict=True)):

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.blocks import moments_code
 from linkwright.blocks.reductions import Array
 from linkwright.blocks.work import Arrays
 
@@ -23,7 +24,7 @@ STRIP = 1 << 15
 
 @dataclass(frozen=True)
 class Moments:
-    """Count, mean, deviation and extremes over samples; ``fast`` takes the compiled twin (Numba), to the same bits.
+    """Count, mean, deviation and extremes over samples; ``fast`` takes the compiled twin, to the same bits.
 
     Figures, each (outputs, poses): ``count`` of finite values and of those ``missing``; ``mean``; ``deviation``, of the
     sample (n - 1); ``least`` and ``largest`` with the number of the first sample that has them, ``least_at`` and
@@ -87,9 +88,7 @@ class MomentsTally:
     def add(self, y: Array, first: int) -> None:
         """Count in ``y`` (outputs, samples, poses), whose first sample has the number ``first``."""
         if self._fast:
-            from linkwright.blocks.numba_reductions import moments
-
-            moments(np.ascontiguousarray(y, dtype=np.float64), first, *self._arrays())
+            moments_code.add(y, first, self._arrays())
             return
         strip = max(STRIP // max(self.count.size, 1), 1)
         for start in range(0, y.shape[1], strip):

@@ -2,9 +2,9 @@
 
 A compiler turns a loop over poses into vector instructions only where each step is straight-line arithmetic; calls of
 the C library's functions stay one pose at a time. Each function here is a plain Python function of floats made of
-double arithmetic, square roots, selects (``a if c else b`` of values already there) and, in exp and log, views of a
-double's bits. So Python can run it as its own twin, and an emitter can paste its text (``source``) into what it
-compiles. Allowed flags: contract, arcp, nsz. Reassociation would break the reductions, nnan and ninf the selects.
+double arithmetic, square roots, selects (``a if c else b`` of values already there) and three that look at a double's
+bits. So Python can run it as its own twin, to the same bits, and emitters can write it out from its text
+(:mod:`linkwright.kernels.straight_line`). No compiler may fuse or reorder anything of it.
 
 NaN in gives NaN out, but for ``fmin`` and ``fmax``. The sign of a zero has no meaning. The tests allow
 errors of 1 to 1.75 units in the last place; ``python tests/kernels/test_elementary.py 20000`` finds up to 1.24 (atan2),
@@ -17,11 +17,8 @@ forms of arc tangent, arc sine, exponential and logarithm; correction terms).
 
 from __future__ import annotations
 
-import ast
-import inspect
 import math
-import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 
 import numpy as np
 
@@ -171,7 +168,8 @@ def atan2(y: float, x: float) -> float:
     # Unfold into the right octant by selects.
     start = 1.5707963267948966 if steep else (3.141592653589793 if left else 0.0)
     fine = 6.123233995736766e-17 if steep else (1.2246467991473532e-16 if left else 0.0)
-    value = start + ((a if steep == left else -a) + fine)
+    falling = -a
+    value = start + (((a if left else falling) if steep else (falling if left else a)) + fine)
     return value if y >= 0.0 else -value
 
 
@@ -226,11 +224,37 @@ def acos(x: float) -> float:
     return value if size <= 1.0 else math.nan
 
 
+# What is read from a number's bits; emitters have their own words for these three.
+
+
+def power_of_two(raised: float) -> float:
+    """2**n from ROUNDER + n, -1022 <= n <= 1023: the low bits of that sum become the exponent."""
+    return float(np.int64((np.float64(raised).view(np.int64) + 1023) << 52).view(np.float64))
+
+
+def binary_exponent(x: float) -> float:
+    """n of x = 2**n (1 + f) with 1 + f between sqrt(1/2) and sqrt(2); x is positive, finite and not subnormal."""
+    bits = np.float64(x).view(np.int64) + 0x95F619980C433
+    return float(np.int64((bits >> 52) | 0x4330000000000000).view(np.float64)) - 4503599627371519.0
+
+
+def binary_fraction(x: float) -> float:
+    """f of the same."""
+    bits = np.float64(x).view(np.int64) + 0x95F619980C433
+    return float(np.int64((bits & 0xFFFFFFFFFFFFF) + 0x3FE6A09E667F3BCD).view(np.float64)) - 1.0
+
+
 # Powers of e.
 
 
 def exp(x: float) -> float:
-    """e to the x (fdlibm's form; the scaling by 2**n in two steps, so that results below 2**-1022 are rounded once)."""
+    """e to the x."""
+    return _exp_of_sum(x, 0.0)
+
+
+def _exp_of_sum(x: float, tail: float) -> float:
+    """e to the x + tail (fdlibm's form; the scaling by 2**n in two steps, so that results below 2**-1022 are rounded
+    once)."""
     # Clamp to the range in which the result is neither 0 nor infinite.
     held = x if x < 710.0 else 710.0
     held = held if held > -746.0 else -746.0
@@ -238,7 +262,7 @@ def exp(x: float) -> float:
     raised = held * 1.4426950408889634 + ROUNDER
     n = raised - ROUNDER
     high = held - n * 6.93147180369123816490e-01
-    low = n * 1.90821492927058770002e-10
+    low = n * 1.90821492927058770002e-10 - (tail if held == x else 0.0)
     r = high - low
     # Rational form of exp r.
     z = r * r
@@ -248,10 +272,8 @@ def exp(x: float) -> float:
     value = 1.0 - ((low - (r * c) / (2.0 - c)) - high)
     # Multiply by 2^n in two factors, written straight into the exponent bits.
     half = 0.5 * n + ROUNDER
-    first = float(np.int64((np.float64(half).view(np.int64) + 1023) << 52).view(np.float64))
     other = (n - (half - ROUNDER)) + ROUNDER
-    second = float(np.int64((np.float64(other).view(np.int64) + 1023) << 52).view(np.float64))
-    return value * first * second if x == x else x
+    return value * power_of_two(half) * power_of_two(other) if x == x else x
 
 
 def log(x: float) -> float:
@@ -260,14 +282,8 @@ def log(x: float) -> float:
     tiny = x < 2.2250738585072014e-308
     held = x * 1.8014398509481984e16 if tiny else x
     held = held if (x > 0.0) & (x < math.inf) else 1.0
-    # x = 2^n (1 + f) with 1 + f between sqrt(1/2) and sqrt(2), read from the bits.
-    bits = np.float64(held).view(np.int64) + 0x95F619980C433
-    n = (
-        float(np.int64((bits >> 52) | 0x4330000000000000).view(np.float64))
-        - 4503599627371519.0
-        - (54.0 if tiny else 0.0)
-    )
-    f = float(np.int64((bits & 0xFFFFFFFFFFFFF) + 0x3FE6A09E667F3BCD).view(np.float64)) - 1.0
+    n = binary_exponent(held) - (54.0 if tiny else 0.0)
+    f = binary_fraction(held)
     # Series of log((1 + s) / (1 - s)) = log(1 + f).
     s = f / (2.0 + f)
     z = s * s
@@ -279,6 +295,86 @@ def log(x: float) -> float:
     value = n * 6.93147180369123816490e-01 - ((half - (s * (half + p) + n * 1.90821492927058770002e-10)) - f)
     value = value if x < math.inf else x
     return value if x > 0.0 else (-math.inf if x == 0.0 else math.nan)
+
+
+def _product(x: float, y: float) -> tuple[float, float]:
+    """A product and what its rounding took away (Dekker)."""
+    long_x = x * 134217729.0
+    head_x = long_x - (long_x - x)
+    tail_x = x - head_x
+    long_y = y * 134217729.0
+    head_y = long_y - (long_y - y)
+    tail_y = y - head_y
+    p = x * y
+    return p, ((head_x * head_y - p) + head_x * tail_y + tail_x * head_y) + tail_x * tail_y
+
+
+def _sum(x: float, y: float) -> tuple[float, float]:
+    """A sum and what its rounding took away (Knuth)."""
+    s = x + y
+    part = s - x
+    return s, (x - (s - part)) + (y - part)
+
+
+def _long_log(x: float) -> tuple[float, float]:
+    """Natural logarithm of x > 0 in two numbers, to 64 bits: n ln 2 + 2 s + 2/3 s**3 + ... with s = f / (2 + f)."""
+    tiny = x < 2.2250738585072014e-308
+    held = x * 1.8014398509481984e16 if tiny else x
+    n = binary_exponent(held) - (54.0 if tiny else 0.0)
+    f = binary_fraction(held)
+    # s in two numbers; so 2 + f has to be.
+    d = 2.0 + f
+    rest_d = f - (d - 2.0)
+    s = f / d
+    back, off = _product(s, d)
+    rest_s = (((f - back) - off) - s * rest_d) / d
+    # 2/3 s**3 in two numbers.
+    z, off_z = _product(s, s)
+    rest_z = off_z + 2.0 * s * rest_s
+    cube, off_cube = _product(s, z)
+    rest_cube = off_cube + (s * rest_z + rest_s * z)
+    third, off_third = _product(cube, 0.6666666666666666)
+    rest_third = off_third + (cube * 3.700743415417188e-17 + rest_cube * 0.6666666666666666)
+    # The others: 2/5 s**5 + 2/7 s**7 + ...
+    p = (0.08 * z + 0.08695652173913043) * z + 0.09523809523809523
+    p = (p * z + 0.10526315789473684) * z + 0.11764705882352941
+    p = (p * z + 0.13333333333333333) * z + 0.15384615384615385
+    p = (p * z + 0.18181818181818182) * z + 0.2222222222222222
+    p = (p * z + 0.2857142857142857) * z + 0.4
+    more = cube * z * p
+    # Add them, the largest first; n times the long part of ln 2 is exact.
+    first, off_first = _sum(n * 6.93147180369123816490e-01, 2.0 * s)
+    second, off_second = _sum(first, third)
+    low = off_first + (off_second + (more + (rest_third + (2.0 * rest_s + n * 1.90821492927058770002e-10))))
+    value = second + low
+    return value, (second - value) + low
+
+
+def power(x: float, y: float) -> float:
+    """x to the y, as e to the y log |x|; NaN for a negative x unless y is whole. As in C, x**0 and 1**y are 1 for all.
+
+    0 to a negative power is inf; the sign of a zero has no say.
+    """
+    size = math.fabs(x)
+    some = (size > 0.0) & (size < math.inf)
+    # Beyond 1e20 any power of what isn't 1 is 0 or infinite.
+    held = y if y < 1.0e20 else 1.0e20
+    held = held if held > -1.0e20 else -1.0e20
+    log_x, rest = _long_log(size if some else 1.0)
+    p, off = _product(held, log_x)
+    value = _exp_of_sum(p, off + held * rest)
+    rising = y > 0.0
+    falling = y < 0.0
+    value = value if some else (math.inf if ((size > 0.0) & rising) | ((size == 0.0) & falling) else 0.0)
+    # The sign, and whether there is a value: adding 2**52 rounds to an integer.
+    count = math.fabs(y)
+    half = 0.5 * count
+    whole = ((count + 4503599627370496.0) - 4503599627370496.0 == count) | (count >= 4503599627370496.0)
+    even = ((half + 4503599627370496.0) - 4503599627370496.0 == half) | (half >= 4503599627370496.0)
+    opposite = -value
+    value = ((value if even else opposite) if whole else (math.nan if some else value)) if x < 0.0 else value
+    value = value if (x == x) & (y == y) else math.nan
+    return 1.0 if (y == 0.0) | (x == 1.0) else value
 
 
 # Without series.
@@ -321,36 +417,6 @@ def hypot(x: float, y: float) -> float:
 
 FUNCTIONS: dict[str, Callable[..., float]] = {
     f.__name__: f
-    for f in (sin, cos, tan, asin, acos, atan, atan2, exp, log, fmin, fmax, sign, copysign, hypot)
+    for f in (sin, cos, tan, asin, acos, atan, atan2, exp, log, power, fmin, fmax, sign, copysign, hypot)
 }  # fmt: skip
 """What an emitter may call, by name."""
-
-
-def source(names: Iterable[str], decorator: str = "") -> str:
-    """The text of the named functions and of all that they use, what is used first; the names ``math`` and ``np``
-    have to be there.
-
-    ``decorator`` is written above each function. The same names give the same text, in whatever order.
-    """
-    text = inspect.getsource(sys.modules[__name__])
-    parts = {name: node for node in ast.parse(text).body for name in _defined(node)}
-    wanted: set[str] = set()
-    left = list(names)
-    while left:
-        name = left.pop()
-        if name not in wanted:
-            wanted.add(name)
-            left += [n.id for n in ast.walk(parts[name]) if isinstance(n, ast.Name) and n.id in parts]
-    lines = []
-    for name in sorted(wanted, key=lambda name: parts[name].lineno):
-        head = f"{decorator}\n" if decorator and isinstance(parts[name], ast.FunctionDef) else ""
-        lines.append(f"{head}{ast.get_source_segment(text, parts[name])}\n")
-    return "\n\n".join(lines)
-
-
-def _defined(node: ast.stmt) -> list[str]:
-    if isinstance(node, ast.FunctionDef):
-        return [node.name]
-    return (
-        [target.id for target in node.targets if isinstance(target, ast.Name)] if isinstance(node, ast.Assign) else []
-    )

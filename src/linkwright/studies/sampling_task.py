@@ -20,9 +20,8 @@ from linkwright.blocks.work import Arrays
 from linkwright.compilation import examine
 from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, parse
 from linkwright.findings import raise_errors
-from linkwright.kernels import Compiled
+from linkwright.kernels import Compiled, machine_code
 from linkwright.kernels.parameter_batch import Varied
-from linkwright.kernels.registry import KERNELS
 from linkwright.kernels.versions import versions
 from linkwright.measures import BoundMeasure, bound_measures
 from linkwright.model.document import Document, plain
@@ -141,7 +140,7 @@ class SampleTask:
     @cached_property
     def reductions(self) -> dict[str, Reduction]:
         """The reductions of signals; where a kernel is compiled, by their compiled twins, to the same bits."""
-        fast = self.kernel != "numpy" and KERNELS["numba"].available()
+        fast = self.kernel != "numpy" and machine_code.available()
         return {"moments": Moments(fast)} if self.signals.texts else {}
 
     @cached_property

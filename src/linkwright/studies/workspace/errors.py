@@ -58,7 +58,7 @@ class Errors:
         self.by = [*(self.graph.parameters[i] for i in moving), *causes.plays]
         self.closed = len(closed)
         program = jacobian(self.graph, self.names[:2], self.by, [*closed, *causes.places], causes.plays)
-        self.engine = KERNELS[choose(program, count, os.cpu_count() or 1).kernel](program)
+        self.engine = KERNELS[choose(program, count).kernel](program)
 
     @cached_property
     def _full_jacobian(self) -> Kernel:

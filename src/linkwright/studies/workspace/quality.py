@@ -141,7 +141,7 @@ class _Measuring:
         self.closed = reaches(structure)
         determinants = [Determinant(group.label) for group in structure.groups]
         program = graph.program([*(f"{point}.{row}" for row in ("x", "y", "vx", "vy")), *self.closed, *determinants])
-        self.engine = KERNELS[choose(program, 2 * poses, os.cpu_count() or 1).kernel](program)
+        self.engine = KERNELS[choose(program, 2 * poses).kernel](program)
         self.rows = [graph.drives.index(drive) * graph.width for drive in sheet.drives]
         turns = [_turns(sheet.compiled, drive) for drive in sheet.drives]
         self.arms = np.where(turns, graph.size, 1.0) if any(turns) and not all(turns) else np.ones(2)

@@ -94,7 +94,7 @@ TEXTS: dict[str, str] = {
     "proof.note.kernel": "{poses} poses computed with the {kernel} kernel: {reason}",
     "term.kernel-small": "compiling would take longer than it saves ({poses} poses of {instructions} instructions).",
     "term.kernel-large": "for {poses} poses of {instructions} instructions, compiling first saves time.",
-    "term.kernel-missing": "compiling it first would be faster, but numba isn't installed (pip install linkwright[fast]).",
+    "term.kernel-missing": "compiling it first would be faster, but llvmlite isn't installed (pip install linkwright[fast]).",
     "term.kernel-wished": "as requested.",
     # Assembly modes and circuits.
     "modes.all": "Assembly modes at this position of the drives: {count}. The list is complete.",

@@ -94,7 +94,7 @@ TEXTS: dict[str, str] = {
     "proof.note.kernel": "用计算内核 {kernel} 计算了 {poses} 个位姿：{reason}",
     "term.kernel-small": "编译所需时间多于能节省的时间（{poses} 个位姿，每个 {instructions} 条指令）。",
     "term.kernel-large": "共 {poses} 个位姿，每个 {instructions} 条指令，先编译可节省时间。",
-    "term.kernel-missing": "先编译会更快，但未安装 numba（pip install linkwright[fast]）。",
+    "term.kernel-missing": "先编译会更快，但未安装 llvmlite（pip install linkwright[fast]）。",
     "term.kernel-wished": "按要求选用。",
     # Assembly modes and circuits.
     "modes.all": "驱动处于此位置时的装配模式：{count} 个，已全部列出。",

@@ -1,7 +1,11 @@
-"""The Numba kernel's forms against the NumPy kernel, Newton included; its stores past the cache."""
+"""The LLVM kernel's forms against the NumPy kernel, Newton included; its stores past the cache."""
 
 from __future__ import annotations
 
+import ctypes
+import platform
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -14,13 +18,15 @@ from helpers.examples import heavy_four_bar
 from linkwright.compilation import compile_mechanism
 from linkwright.graph.program import ExpressionStage, Program
 from linkwright.kernels import Compiled
-from linkwright.kernels.numba_kernel import PAST, NumbaKernel
-from linkwright.kernels.numba_source import CACHED, LANES, LONGEST, KernelSource
+from linkwright.kernels.llvm_entries import text
+from linkwright.kernels.llvm_kernel import PAST, LlvmKernel, PoseFunction
+from linkwright.kernels.llvm_source import CACHED, LANES, LONGEST, KernelSource
+from linkwright.kernels.machine_code import Machine, this_machine
 from linkwright.kernels.numpy_blocks import NumpyKernel
 from linkwright.kernels.threaded import EVEN, FEWEST, spread, stretches
 from linkwright.model.document import load
 
-pytest.importorskip("numba")
+pytest.importorskip("llvmlite")
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 NAMES = ["C.x", "rocker.angle", "rocker.alpha", "D.x", "motor.torque", "B.vx"]
@@ -39,8 +45,8 @@ def four_bar() -> Compiled:
 
 
 @pytest.fixture(scope="module")
-def kernel(four_bar: Compiled) -> NumbaKernel:
-    return NumbaKernel(four_bar.graph.program(NAMES))
+def kernel(four_bar: Compiled) -> LlvmKernel:
+    return LlvmKernel(four_bar.graph.program(NAMES))
 
 
 def close(found: np.ndarray, expected: np.ndarray) -> None:
@@ -57,7 +63,7 @@ def samples(compiled: Compiled, count: int) -> np.ndarray:
 
 
 @pytest.mark.parametrize("poses", [1, 47, 48, LANES[0], 3 * LANES[0] + 5])
-def test_samples_over_shared_poses(poses: int, four_bar: Compiled, kernel: NumbaKernel) -> None:
+def test_samples_over_shared_poses(poses: int, four_bar: Compiled, kernel: LlvmKernel) -> None:
     x, p = four_bar.inputs(np.linspace(0.1, 6.0, poses)), samples(four_bar, 5)
     expected = NumpyKernel(kernel.program).over(x, p)
     close(kernel.over(x, p), expected)
@@ -66,7 +72,7 @@ def test_samples_over_shared_poses(poses: int, four_bar: Compiled, kernel: Numba
     close(kernel.run(own.reshape(len(x), -1), np.repeat(p, poses, axis=1)).reshape(expected.shape), expected)
 
 
-def test_a_sample_is_the_same_alone(four_bar: Compiled, kernel: NumbaKernel) -> None:
+def test_a_sample_is_the_same_alone(four_bar: Compiled, kernel: LlvmKernel) -> None:
     x, p = four_bar.inputs(np.linspace(0.1, 6.0, 200)), samples(four_bar, 7)
     every = kernel.over(x, p)
     for i in (0, 3, 6):
@@ -74,7 +80,7 @@ def test_a_sample_is_the_same_alone(four_bar: Compiled, kernel: NumbaKernel) -> 
     assert np.array_equal(kernel.over(x[:, 50:150], p), every[:, :, 50:150])
 
 
-def test_poses_that_cannot_close_are_nan(four_bar: Compiled, kernel: NumbaKernel) -> None:
+def test_poses_that_cannot_close_are_nan(four_bar: Compiled, kernel: LlvmKernel) -> None:
     x, p = four_bar.inputs(np.linspace(0.1, 6.0, 100)), samples(four_bar, 3)
     p[1, 1] = 0.1  # a coupler too short to reach
     found = kernel.over(x, p)
@@ -82,7 +88,7 @@ def test_poses_that_cannot_close_are_nan(four_bar: Compiled, kernel: NumbaKernel
     close(found, NumpyKernel(kernel.program).over(x, p))
 
 
-def test_angles_too_large_to_be_reduced_are_nan(four_bar: Compiled, kernel: NumbaKernel) -> None:
+def test_angles_too_large_to_be_reduced_are_nan(four_bar: Compiled, kernel: LlvmKernel) -> None:
     x = four_bar.inputs(np.array([0.1, 0.2]))
     x[0, 1] = 2e8
     found = kernel.run(x, four_bar.parameters)
@@ -91,7 +97,7 @@ def test_angles_too_large_to_be_reduced_are_nan(four_bar: Compiled, kernel: Numb
 
 
 @pytest.mark.parametrize("offset", [0, 1, 5])
-def test_stores_past_the_cache(offset: int, four_bar: Compiled, kernel: NumbaKernel) -> None:
+def test_stores_past_the_cache(offset: int, four_bar: Compiled, kernel: LlvmKernel) -> None:
     """Large outputs, from an aligned address and not: the same bits as small ones, and nothing beside them."""
     poses = PAST // (8 * len(NAMES)) // 8 * 8 + 8
     x = np.tile(four_bar.inputs(np.linspace(0.1, 6.0, 1000)), -(-poses // 1000))[:, :poses]
@@ -106,7 +112,7 @@ def test_stores_past_the_cache(offset: int, four_bar: Compiled, kernel: NumbaKer
 
 
 @pytest.mark.parametrize("workers", [1, 2, 3])
-def test_threads_give_the_same_bits(workers: int, four_bar: Compiled, kernel: NumbaKernel) -> None:
+def test_threads_give_the_same_bits(workers: int, four_bar: Compiled, kernel: LlvmKernel) -> None:
     x = four_bar.inputs(np.linspace(0.1, 60.0, 3 * FEWEST + 17))
     assert np.array_equal(spread(kernel, x, four_bar.parameters, workers=workers), kernel.run(x, four_bar.parameters))
 
@@ -143,16 +149,16 @@ def test_long_programs_are_split() -> None:
     """Functions of at most some 500 instructions, whose values pass over rows that are used again."""
     compiled = compiled_from(chain(4))
     program = compiled.graph.program(["motor.torque", "F2.x", "arm2.alpha"])
-    source = KernelSource.fitting(program, "apart")
+    source = KernelSource.fitting(program, "apart", this_machine())
     assert source.lanes < LANES[0]
     assert source.rows.count * source.lanes <= CACHED
-    text = str(source)
-    longest = max(part.count("\n") for part in text.split("def block_own")[1:])
-    assert text.count("def block_own") > 1
-    assert longest < LONGEST + 100
+    functions = [part for part in text(source).split("define ") if "@block_own" in part.splitlines()[0]]
+    assert len(functions) > 1
+    arithmetic = [sum(part.count(word) for word in (" = fadd", " = fsub", " = fmul", " = fdiv")) for part in functions]
+    assert max(arithmetic) < LONGEST + 100  # the elementary functions are written out
     t = np.linspace(0.1, 6.0, 300)
     x = compiled.inputs(t)
-    close(NumbaKernel(program).run(x, compiled.parameters), NumpyKernel(program).run(x, compiled.parameters))
+    close(LlvmKernel(program).run(x, compiled.parameters), NumpyKernel(program).run(x, compiled.parameters))
 
 
 def solving(name: str) -> tuple[Compiled, Program, list[int], np.ndarray]:
@@ -171,7 +177,7 @@ def test_newton_in_the_kernel(name: str) -> None:
     x = solved.copy()
     x[rows] += 1e-3 * scale * random.standard_normal((len(rows), x.shape[1]))
     x[rows[0], 7], x[rows[0], 9] = np.nan, np.inf
-    kernel, plain = NumbaKernel(program), NumpyKernel(program)
+    kernel, plain = LlvmKernel(program), NumpyKernel(program)
     found, p = kernel.run(x, compiled.parameters), compiled.parameters
     expected = plain.run(x, p)
     assert np.isnan(found[:, [7, 9]]).all()
@@ -181,8 +187,6 @@ def test_newton_in_the_kernel(name: str) -> None:
     assert np.abs((expected - solved[rows])[:, others] / scale).max() < 1e-12
     assert np.array_equal(kernel.run(x[:, 20:60], p), found[:, 20:60])
     assert np.array_equal(plain.run(x[:, 20:60], p), expected[:, 20:60])
-    if name == "class_four":  # a minute of compiling spared
-        return
     # Samples share the starts and are solved each for its own parameters.
     both = np.stack([p, p * (1 + 1e-4)], axis=1)
     over, twin = kernel.over(x[:, 10:], both), plain.over(x[:, 10:], both)
@@ -214,7 +218,7 @@ EVERY = [
 def test_every_instruction(form: str) -> None:
     """All that a program may hold, in all forms, against CasADi's own evaluation: to 4 units in the last place."""
     program = rows_of(*EVERY)
-    kernel = NumbaKernel(program)
+    kernel = LlvmKernel(program)
     x = np.array([[-7.5, -3.0, -1.0, -0.25, 1e-3, 0.5, 1.0, 2.0, 3.25, 8.0] * 6])
     p = np.array([[2.0, 0.7]])
     expected = np.array([[program(x[:, i], p[:, s]) for i in range(x.shape[1])] for s in range(2)]).transpose(2, 0, 1)
@@ -229,3 +233,59 @@ def test_every_instruction(form: str) -> None:
     assert np.isnan(expected).any()
     known = np.isfinite(expected)
     assert (np.abs(found - expected)[known] <= 4 * np.spacing(np.abs(expected[known]))).all()
+
+
+def narrower() -> list[Machine]:
+    """This machine, and what it would be with less: vectors of 4, of 2, and single numbers."""
+    here = this_machine()
+    if platform.machine() not in ("x86_64", "AMD64"):
+        return [here, replace(here, width=1)]
+    wide = [Machine(4, here.typed, "x86-64-v3", ""), Machine(2, here.typed, "x86-64", "")]
+    return [here, *(each for each in wide if each.width < here.width), replace(here, width=1)]
+
+
+@pytest.mark.parametrize("poses", [1, 31, 128, 300])
+def test_bits_do_not_depend_on_the_width_of_vectors(poses: int) -> None:
+    """Every instruction at any width, without fused operations or with, in any block, and a pose alone."""
+    program = rows_of(*EVERY)
+    random = np.random.default_rng(5)
+    x, p = random.normal(0.0, 3.0, (1, poses)), np.array([1.3])
+    every = [LlvmKernel(program, machine).run(x, p) for machine in narrower()]
+    for found in every[1:]:
+        assert found.tobytes() == every[0].tobytes()
+    alone = PoseFunction(program)
+    assert np.array([alone(pose, p) for pose in x.T]).T.tobytes() == every[0].tobytes()
+
+
+@pytest.mark.parametrize("name", ["sauer_platform", "class_four"])
+def test_newton_gives_the_same_bits_at_any_width(name: str) -> None:
+    compiled, program, rows, solved = solving(name)
+    x, p = solved[:, :77].copy(), compiled.parameters
+    x[rows] += 1e-4
+    every = [LlvmKernel(program, machine).run(x, p) for machine in narrower()]
+    assert all(found.tobytes() == every[0].tobytes() for found in every[1:])
+    alone = PoseFunction(program)
+    assert all(alone(pose, p).tobytes() == column.tobytes() for pose, column in zip(x.T, every[0].T.copy(), strict=True))
+
+
+def test_two_kernels_at_once_and_one_that_travels(four_bar: Compiled, kernel: LlvmKernel) -> None:
+    """Threads that compile and run at the same time; a kernel is sent as its program."""
+    x, p = four_bar.inputs(np.linspace(0.1, 6.0, 400)), four_bar.parameters
+    expected = kernel.run(x, p)
+
+    def fresh(_: int) -> bytes:
+        return LlvmKernel(kernel.program).run(x, p).tobytes()
+
+    with ThreadPoolExecutor(4) as pool:
+        assert set(pool.map(fresh, range(8))) == {expected.tobytes()}
+    function, arguments = kernel.__reduce__()
+    assert function(*arguments).run(x, p).tobytes() == expected.tobytes()
+
+
+def test_the_c_function_of_a_pose_is_called_by_its_address(four_bar: Compiled, kernel: LlvmKernel) -> None:
+    """As an integrator would, with pointers alone."""
+    made, x = PoseFunction(kernel.program), four_bar.inputs(np.array([1.7]))[:, 0].copy()
+    out, room, p = np.empty(made.outputs), np.empty(made.room), four_bar.parameters
+    call = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 4)(made.address)
+    call(x.ctypes.data, p.ctypes.data, out.ctypes.data, room.ctypes.data)
+    assert out.tobytes() == kernel.run(x[:, None], p)[:, 0].tobytes()
