@@ -16,8 +16,15 @@ from linkwright.kernels.machine_code import Machine, MachineCode, this_machine
 STRIP = 1 << 13
 """Values of a strip, which is gone through while it is in the cache."""
 STATE = {
-    **{"count": False, "missing": False, "shift": True, "sum": True, "square": True},
-    **{"least": True, "least_at": False, "largest": True, "largest_at": False},
+    "count": False,
+    "missing": False,
+    "shift": True,
+    "sum": True,
+    "square": True,
+    "least": True,
+    "least_at": False,
+    "largest": True,
+    "largest_at": False,
 }
 """The arrays of a tally, by name: numbers, or whole numbers."""
 
@@ -104,7 +111,8 @@ def _column(machine: Machine, width: int) -> str:
     )  # fmt: skip
 
 
-_COLUMN = """define internal void @column{width}({pd} noalias readonly %y, i64 %rows, i64 %poses, i64 %first, {pointers}) {{
+_COLUMN = """define internal void @column{width}(
+{pd} noalias readonly %y, i64 %rows, i64 %poses, i64 %first, {pointers}) {{
 entry:
 {loads}
 br label %sample

@@ -54,7 +54,9 @@ class LlvmCode:
     def do(self, primitive: str, *operands: str) -> str:
         key = primitive, *operands
         if key not in self._known:
-            self._known[key] = self._bits(primitive, *operands) if primitive in _BITS else self._one(primitive, operands)
+            self._known[key] = (
+                self._bits(primitive, *operands) if primitive in _BITS else self._one(primitive, operands)
+            )
         return self._known[key]
 
     def name(self, text: str) -> str:

@@ -1,7 +1,7 @@
 """What calls the functions of a compiled kernel: loops over samples and blocks of poses, and a single pose.
 
-``run`` goes over samples and poses, with rows of inputs and parameters copied into a block and rows of outputs copied
-out, past the cache where that is asked for. ``pose`` is a function of pointers alone: inputs, parameters, outputs, room.
+Over many poses, rows of inputs and parameters are copied into a block and rows of outputs out of it, past the cache
+where that is asked for. A single pose is a function of pointers alone.
 """
 
 from __future__ import annotations
@@ -47,12 +47,26 @@ def _run(source: KernelSource) -> str:
 
 
 ARGUMENTS = {
-    **{"x": True, "xr": False, "xs": False, "p": True, "pr": False, "out": True, "orow": False, "os": False},
-    **{"samples": False, "poses": False, "lead": False, "flag": False, "w": True, "c": True},
+    "x": True,
+    "xr": False,
+    "xs": False,
+    "p": True,
+    "pr": False,
+    "out": True,
+    "orow": False,
+    "os": False,
+    "samples": False,
+    "poses": False,
+    "lead": False,
+    "flag": False,
+    "w": True,
+    "c": True,
 }
-"""What ``run`` is called with, by name: pointers, and whole numbers. The steps from row to row of inputs, parameters and
-outputs; those from sample to sample of inputs and outputs; how many samples and poses; the poses before outputs are
-aligned; whether outputs are stored past the cache; room for rows and for scalars."""
+"""What ``run`` is called with, by name: pointers (true) and whole numbers.
+
+The steps from row to row of inputs, parameters and outputs, those from sample to sample of inputs and outputs; how many
+samples and poses; the poses before outputs are aligned; whether outputs are stored past the cache; room for rows and
+for scalars."""
 
 
 def _arguments(pd: str) -> str:
@@ -88,9 +102,8 @@ def _pose(source: KernelSource) -> str:
     code.lines += _calls(source.steps[OWN], f"{code.pd} %w, {code.pd} %cs").splitlines()
     for k in range(len(source.program.outputs)):
         code.store(code.load("%w", source.out + k), "%out", k)
-    return (
-        f"define void @run({', '.join(f'{code.pd} %{name}' for name in ('x', 'p', 'out', 'w'))}) {{\n"
-        + "\n".join([*code.lines, "ret void", "}"])
+    return f"define void @run({', '.join(f'{code.pd} %{name}' for name in ('x', 'p', 'out', 'w'))}) {{\n" + "\n".join(
+        [*code.lines, "ret void", "}"]
     )
 
 

@@ -24,7 +24,7 @@ PAST = 1 << 22
 
 @register
 class LlvmKernel:
-    """Runs a program as machine code. Each form of it (see :data:`llvm_source.FORMS`) is compiled when first asked for."""
+    """Runs a program as machine code. Each form (see :data:`llvm_source.FORMS`) is compiled when first asked for."""
 
     name: ClassVar[str] = "llvm"
     packages: ClassVar[tuple[str, ...]] = ("llvmlite",)
@@ -106,7 +106,7 @@ class PoseFunction:
         self._scratch = np.empty(self.room)
 
     def __call__(self, x: Array, p: Array) -> Array:
-        """The outputs (outputs,) from inputs (inputs,) and parameters (parameters,), in SI. For one thread at a time."""
+        """The outputs (outputs,) from inputs (inputs,) and parameters (parameters,), in SI; one thread at a time."""
         out = np.empty(self.outputs)
         x, p = (np.ascontiguousarray(array, dtype=np.float64) for array in (x, p))
         self._code.call(*(array.ctypes.data for array in (x, p, out, self._scratch)))

@@ -1,8 +1,9 @@
 """The text of a compiled kernel: a program in LLVM's intermediate language.
 
-A function runs over a block of some :data:`LANES` poses, one vector of lanes after another. What passes from one function
-to the next (inputs, values, outputs) lies in rows of one array ``w``, at places known when the text is written; what is
-the same for all poses of a sample is computed once a sample, into ``c``. A program's number of lanes never varies.
+A function runs over a block of some :data:`LANES` poses, one vector of lanes after another. What passes from one
+function to the next (inputs, values, outputs) lies in rows of one array ``w``, at places known when the text is
+written; what is the same for all poses of a sample is computed once a sample, into ``c``. A program's number of lanes
+never varies.
 
 No pass of LLVM's optimiser is needed: what is written once is used again, a row is loaded where it is first used and
 stored where it is known; instructions and registers are all that is left to choose.
@@ -10,7 +11,7 @@ stored where it is known; instructions and registers are all that is left to cho
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 
 from linkwright.graph.program import ACCEPTED, MOST_STEPS, SOLVED, NewtonStage, Program
@@ -228,6 +229,10 @@ class _Block:
         """Write a function of what is the same for all poses of a sample: from its column of ``p`` to ``c``."""
         code, scalars = self.source.machine.code(1), self.source.scalars
         holds: dict[int, str] = {}
+
+        def known(i: int) -> str:
+            return self._known(code, i, holds)
+
         for i in chunk:
             value = self.listing.values[i]
             if value.source is not None:
@@ -235,7 +240,7 @@ class _Block:
                 at = code.name(f"getelementptr double, {code.pd} %p, i64 {at}")
                 holds[i] = code.name(f"load double, {code.pd} {at}, align 8")
             else:
-                holds[i] = self._computed(code, value, lambda j: self._known(code, j, holds))
+                holds[i] = self._computed(code, value, known)
             if self.users.get(i, set()) - {(SCALAR, n)}:
                 code.store(holds[i], "%c", scalars["v", self.tag, i])
         self.source.text.append(
@@ -285,8 +290,8 @@ class _Block:
             return self.source.rows["p" if which else "x", row]
         return self.source.rows["v", self.tag, i]
 
-    def _computed(self, code: LlvmCode, value: Value, known: object) -> str:
-        name, operands = operation(value.op).name, [known(i) for i in _operands(value)]  # type: ignore[operator]
+    def _computed(self, code: LlvmCode, value: Value, known: Callable[[int], str]) -> str:
+        name, operands = operation(value.op).name, [known(i) for i in _operands(value)]
         if name == "power" and (power := _whole_power(self.listing.values[value.args[1]])):
             return whole_power(code, operands[0], power)
         return written(code, name, operands)

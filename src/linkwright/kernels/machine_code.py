@@ -1,4 +1,4 @@
-"""Functions in LLVM's intermediate language as machine code of this processor, made in milliseconds and kept nowhere."""
+"""Machine code of functions in LLVM's intermediate language, made in milliseconds and kept nowhere."""
 
 from __future__ import annotations
 

@@ -1,26 +1,44 @@
 """Straight-line code in some language: what emitters that write code have in common.
 
 A language has words for a few primitive operations (:data:`PRIMITIVES`); the operations of programs, the elementary
-functions of :mod:`linkwright.kernels.elementary` and the steps of Newton's method are written with them. So all emitters
-do the same arithmetic in the same order.
+functions of :mod:`linkwright.kernels.elementary` and the steps of Newton's method are written with them. So all
+emitters do the same arithmetic in the same order.
 """
 
 from __future__ import annotations
 
 import ast
 import inspect
+import math
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
-from typing import Any, Protocol
+from typing import Protocol
 
 from linkwright.graph.program import NewtonStage
 from linkwright.kernels import elementary
 from linkwright.kernels.operations import OPERATIONS
 
 PRIMITIVES: Mapping[str, int] = {
-    **{"add": 2, "subtract": 2, "multiply": 2, "divide": 2, "negative": 1, "sqrt": 1, "fabs": 1, "floor": 1},
-    **{"less": 2, "less_equal": 2, "greater": 2, "greater_equal": 2, "equal": 2, "not_equal": 2, "and": 2, "or": 2},
-    **{"select": 3, "power_of_two": 1, "binary_exponent": 1, "binary_fraction": 1},
+    "add": 2,
+    "subtract": 2,
+    "multiply": 2,
+    "divide": 2,
+    "negative": 1,
+    "sqrt": 1,
+    "fabs": 1,
+    "floor": 1,
+    "less": 2,
+    "less_equal": 2,
+    "greater": 2,
+    "greater_equal": 2,
+    "equal": 2,
+    "not_equal": 2,
+    "and": 2,
+    "or": 2,
+    "select": 3,
+    "power_of_two": 1,
+    "binary_exponent": 1,
+    "binary_fraction": 1,
 }
 """The primitive operations and the number of their operands. Comparisons give conditions, of which one is selected by;
 the last three are functions of :mod:`linkwright.kernels.elementary` that look at a number's bits."""
@@ -135,7 +153,7 @@ class _Body:
     def __init__(self, code: Code, name: str, operands: Sequence[str]) -> None:
         self.code = code
         function = _functions()[name]
-        self.names: dict[str, Any] = dict(zip((a.arg for a in function.args.args), operands, strict=True))
+        self.names: dict[str, str] = dict(zip((a.arg for a in function.args.args), operands, strict=True))
         self.results: tuple[str, ...] = ()
         for line in function.body:
             if isinstance(line, ast.Assign):
@@ -160,26 +178,37 @@ class _Body:
     def value(self, node: ast.expr) -> str:
         """What an expression of one value gives."""
         match node:
-            case ast.Name():
-                return self.names[node.id] if node.id in self.names else self.code.number(getattr(elementary, node.id))
-            case ast.Constant():
-                return self.code.number(node.value)
-            case ast.Attribute():  # math.nan, math.inf
-                return self.code.number(getattr(elementary.math, node.attr))
+            case ast.Name(id=name) if name in self.names:
+                return self.names[name]
+            case ast.Constant() | ast.Name() | ast.Attribute() | ast.UnaryOp(operand=ast.Constant() | ast.Attribute()):
+                return self.code.number(_number(node))
             case ast.BinOp():
                 return self.code.do(_OPERATORS[type(node.op)], self.value(node.left), self.value(node.right))
-            case ast.UnaryOp(operand=ast.Constant()) | ast.UnaryOp(operand=ast.Attribute()):
-                return self.code.number(ast.literal_eval(node) if isinstance(node.operand, ast.Constant) else -elementary.math.inf)
             case ast.UnaryOp():
                 return self.code.do("negative", self.value(node.operand))
             case ast.Compare():
-                return self.code.do(_OPERATORS[type(node.ops[0])], self.value(node.left), self.value(node.comparators[0]))
+                left, right = self.value(node.left), self.value(node.comparators[0])
+                return self.code.do(_OPERATORS[type(node.ops[0])], left, right)
             case ast.IfExp():
-                return self.code.do("select", self.value(node.test), self.value(node.body), self.value(node.orelse))
-            case ast.Call(func=ast.Attribute(attr=name)) | ast.Call(func=ast.Name(id=name)) if name in PRIMITIVES:
+                return self.code.do("select", *map(self.value, (node.test, node.body, node.orelse)))
+            case ast.Call(func=ast.Attribute(attr=name) | ast.Name(id=name)) if name in PRIMITIVES:
                 return self.code.do(name, *map(self.value, node.args))
         (result,) = self.values(node)
         return result
+
+
+def _number(node: ast.expr) -> float:
+    """A constant: a number, one of this module's or of ``math``, or the opposite of one."""
+    match node:
+        case ast.Constant(value=float(number)):
+            return number
+        case ast.Name(id=name):
+            return float(getattr(elementary, name))
+        case ast.Attribute(attr=name):
+            return float(getattr(math, name))
+        case ast.UnaryOp():
+            return -_number(node.operand)
+    raise NotImplementedError(ast.unparse(node))
 
 
 _OPERATORS: dict[type, str] = {
@@ -192,4 +221,6 @@ _OPERATORS: dict[type, str] = {
 @cache
 def _functions() -> dict[str, ast.FunctionDef]:
     """The elementary functions and their parts, by name."""
-    return {node.name: node for node in ast.parse(inspect.getsource(elementary)).body if isinstance(node, ast.FunctionDef)}
+    return {
+        node.name: node for node in ast.parse(inspect.getsource(elementary)).body if isinstance(node, ast.FunctionDef)
+    }

@@ -7,7 +7,6 @@ displacements of a joint with clearance.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from functools import cached_property
 

@@ -6,7 +6,6 @@ of a mechanism without weight and friction, whose drives exert J^T F on what the
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 
