@@ -6,7 +6,6 @@ worker that has it dies it is made again. What a dying worker had in hand Dask h
 
 from __future__ import annotations
 
-import asyncio
 import logging
 import time
 from collections import deque
@@ -47,6 +46,8 @@ class Cluster:
         """The connection, opened when it is first wanted."""
         if self._client is None:
             distributed = needed("distributed", "cluster")
+            import asyncio
+
             try:
                 with ThreadPoolExecutor(1) as pool:  # whoever calls may have a loop of his own at work
                     pool.submit(asyncio.run, _asked(self.address)).result()

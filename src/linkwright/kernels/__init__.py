@@ -1,6 +1,5 @@
 """Kernels: programs turned into code that runs over many poses; a compiled mechanism, which asks them."""
 
-from linkwright.kernels import jax_kernel, llvm_kernel, numpy_blocks  # noqa: F401  (register themselves)
 from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.kernels.still import Still

@@ -42,7 +42,13 @@ class Kernel(Protocol):
         (inputs, poses), or have each, (inputs, samples, poses), and parameters p (parameters, samples)."""
 
 
-KERNELS: Registry[type[Kernel]] = Registry()
+KERNELS: Registry[type[Kernel]] = Registry(
+    {
+        "jax": "linkwright.kernels.jax_kernel",
+        "llvm": "linkwright.kernels.llvm_kernel",
+        "numpy": "linkwright.kernels.numpy_blocks",
+    }
+)
 
 
 def register(cls: type[Kernel]) -> type[Kernel]:
