@@ -5,8 +5,8 @@ from __future__ import annotations
 import ast
 import importlib
 import inspect
-import sys
 from collections.abc import Iterator
+from functools import cache
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 from typing import Any
@@ -14,6 +14,7 @@ from typing import Any
 import pytest
 
 import linkwright
+from helpers.offenders import nobody_breaks
 from linkwright.elements import FORCES, KINDS
 from linkwright.elements.entries import SECTIONS
 from linkwright.elements.follower import FOLLOWERS
@@ -54,6 +55,13 @@ PUBLIC = [
     "workspace",
 ]
 SOURCE = Path(linkwright.__file__).parent
+FILES = {path.relative_to(SOURCE).as_posix(): path for path in sorted(SOURCE.rglob("*.py"))}
+
+
+@cache
+def tree(path: Path) -> ast.Module:
+    """The syntax tree of a module, parsed once for all tests."""
+    return ast.parse(path.read_text("utf-8"))
 
 
 # Names.
@@ -65,24 +73,21 @@ def test_the_public_names() -> None:
     assert sorted(dir(linkwright)) == sorted([*PUBLIC, "__version__"])
 
 
-@pytest.mark.parametrize("name", PUBLIC)
-def test_each_name_is_there_and_says_what_it_is(name: str) -> None:
+def silent(name: str) -> list[str]:
+    """What a public name leaves unsaid: itself, or its own functions and properties."""
     thing = getattr(linkwright, name)
-    assert inspect.isclass(thing) or callable(thing)
-    assert inspect.getdoc(thing)
-    assert thing is getattr(linkwright, name)
-    if inspect.isclass(thing):
-        assert thing.__name__ == name
-        members = {**vars(thing)}
-        silent = [
-            member
-            for member, value in members.items()
-            if not member.startswith("_")
-            and not member.startswith("model_")
-            and (inspect.isfunction(value) or isinstance(value, property))
-            and not inspect.getdoc(value)
-        ]
-        assert silent == []
+    assert callable(thing) and thing is getattr(linkwright, name), name
+    assert not inspect.isclass(thing) or thing.__name__ == name
+    members = {
+        member: value
+        for member, value in (vars(thing).items() if inspect.isclass(thing) else ())
+        if not member.startswith(("_", "model_")) and (inspect.isfunction(value) or isinstance(value, property))
+    }
+    return [part for part, value in {name: thing, **members}.items() if not inspect.getdoc(value)]
+
+
+def test_each_name_is_there_and_says_what_it_is() -> None:
+    nobody_breaks({name: silent(name) for name in PUBLIC})
 
 
 def test_a_star_import_gives_them_all() -> None:
@@ -107,8 +112,8 @@ def test_version_is_the_projects() -> None:
 
 def test_typing_sees_what_is_loaded() -> None:
     """The names under TYPE_CHECKING are the ones that __getattr__ gives."""
-    tree = ast.parse((SOURCE / "__init__.py").read_text("utf-8"))
-    (block,) = [node for node in tree.body if isinstance(node, ast.If) and "TYPE_CHECKING" in ast.dump(node.test)]
+    body = tree(SOURCE / "__init__.py").body
+    (block,) = [node for node in body if isinstance(node, ast.If) and "TYPE_CHECKING" in ast.dump(node.test)]
     seen = {}
     for node in block.body:
         assert isinstance(node, ast.ImportFrom)
@@ -219,16 +224,25 @@ SIDES = {
 }
 
 
+def imports_late(node: ast.AST) -> bool:
+    """Whether a node calls ``import_module``."""
+    match node:
+        case ast.Call(func=ast.Name(id=name) | ast.Attribute(attr=name)):
+            return name == "import_module"
+    return False
+
+
+@cache
 def imports() -> list[tuple[str, str, str]]:
     """(file, its package, a package that it imports), those inside functions and for type checkers too."""
     found = []
-    for path in sorted(SOURCE.rglob("*.py")):
+    for path in FILES.values():
         parts = path.relative_to(SOURCE).parts
         if parts == ("__init__.py",):
             continue
         here = parts[0].removesuffix(".py")
         place = ["linkwright", *parts[:-1]]
-        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+        for node in ast.walk(tree(path)):
             targets: list[str] = []
             if isinstance(node, ast.Import):
                 targets = [alias.name for alias in node.names]
@@ -236,7 +250,7 @@ def imports() -> list[tuple[str, str, str]]:
                 base = place[: len(place) - node.level + 1] if node.level else []
                 module = ".".join([*base, *([node.module] if node.module else [])])
                 targets = [f"{module}.{alias.name}" for alias in node.names] if module == "linkwright" else [module]
-            elif isinstance(node, ast.Call) and "import_module" in ast.dump(node.func):
+            elif imports_late(node):
                 texts = [n.value for n in ast.walk(node) if isinstance(n, ast.Constant) and isinstance(n.value, str)]
                 targets = [text for text in texts if text.startswith("linkwright.")]
             for target in targets:
@@ -294,7 +308,7 @@ def run_time_imports(source: Path) -> dict[str, set[str]]:
     for module, path in files.items():
         package = module.split(".") if path.name == "__init__.py" else module.split(".")[:-1]
         targets: set[str] = set()
-        for node in run_time_nodes(ast.parse(path.read_text("utf-8"))):
+        for node in run_time_nodes(tree(path)):
             if isinstance(node, ast.Import):
                 targets |= {alias.name for alias in node.names}
             elif isinstance(node, ast.ImportFrom):
@@ -302,7 +316,7 @@ def run_time_imports(source: Path) -> dict[str, set[str]]:
                 base = ".".join([*above, *([node.module] if node.module else [])])
                 named = {f"{base}.{alias.name}" for alias in node.names}
                 targets |= named if named <= files.keys() else {base, *named}
-            elif isinstance(node, ast.Call) and "import_module" in ast.dump(node.func):
+            elif imports_late(node):
                 texts = [n.value for n in ast.walk(node) if isinstance(n, ast.Constant) and isinstance(n.value, str)]
                 targets |= {*texts}
         graph[module] = (targets & files.keys()) - {module}
@@ -351,40 +365,35 @@ def test_which_imports_make_a_circle(tmp_path: Path, text: str, found: bool) -> 
 
 # What else modules keep to.
 
+SPEAKERS = {"words", "findings"}
+ENDS = {"print", "exit", "sys.exit", "os._exit", "eval", "exec"}
+
+
+@cache
+def called(path: Path) -> set[str]:
+    """The functions that a module calls, as it names them."""
+    return {ast.unparse(node.func) for node in ast.walk(tree(path)) if isinstance(node, ast.Call)}
+
 
 def test_nothing_below_the_report_makes_words() -> None:
     """Results hold keys and data; who reports them says them."""
-    for path in SOURCE.rglob("*.py"):
-        here = path.relative_to(SOURCE).parts[0].removesuffix(".py")
-        if here not in ("words", "findings") and LEVELS.get(here, 99) < LEVELS["report"]:
-            tree = ast.parse(path.read_text("utf-8"))
-            said = [node for node in ast.walk(tree) if isinstance(node, ast.Call) and ast.unparse(node.func) == "say"]
-            assert not said, path.name
+    places = {file: file.split("/")[0].removesuffix(".py") for file in FILES}
+    low = {file for file, at in places.items() if LEVELS.get(at, 99) < LEVELS["report"] and at not in SPEAKERS}
+    nobody_breaks({file: called(FILES[file]) & {"say"} for file in low})
 
 
 def test_nothing_below_the_command_line_prints_or_leaves() -> None:
-    for path in SOURCE.rglob("*.py"):
-        if path.relative_to(SOURCE).parts[0] in ("cli", "__main__.py"):
-            continue
-        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
-            if isinstance(node, ast.Call):
-                name = ast.unparse(node.func)
-                assert name not in ("print", "exit", "sys.exit", "os._exit", "eval", "exec"), f"{path.name}: {name}"
+    low = {file for file in FILES if file.split("/")[0] not in ("cli", "__main__.py")}
+    nobody_breaks({file: called(FILES[file]) & ENDS for file in low})
 
 
-@pytest.mark.parametrize(
-    "module",
-    sorted(
-        {
-            "linkwright." + ".".join(p.relative_to(SOURCE).with_suffix("").parts)
-            for p in SOURCE.rglob("*.py")
-            if p.name not in ("__init__.py", "__main__.py")
-        }
-    ),
-)
-def test_every_module_says_what_it_is(module: str) -> None:
-    assert importlib.import_module(module).__doc__
-    assert module in sys.modules
+def test_every_module_says_what_it_is() -> None:
+    nobody_breaks({file: [] if ast.get_docstring(tree(path)) else ["no docstring"] for file, path in FILES.items()})
+
+
+def test_every_module_can_be_imported() -> None:
+    for file in {*FILES} - {"__init__.py"}:
+        importlib.import_module("linkwright." + file.removesuffix(".py").removesuffix("/__init__").replace("/", "."))
 
 
 # Kinds of elements are asked, not told apart by name.
@@ -427,8 +436,7 @@ def comparisons(text: str) -> list[ast.Compare]:
 def test_nobody_compares_letters_or_names_of_kinds() -> None:
     """Letters and names of kinds stand in signatures and files; nothing outside their own files depends on them."""
     found: dict[str, list[str]] = {}
-    for path in SOURCE.rglob("*.py"):
-        file = path.relative_to(SOURCE).as_posix()
+    for file, path in FILES.items():
         if not file.startswith("elements/") and (asked := comparisons(path.read_text("utf-8"))):
             found[file] = [f"{node.lineno} {ast.unparse(node)}" for node in asked]
     assert found.keys() == LEGITIMATE.keys(), {file: found.get(file) for file in found.keys() ^ LEGITIMATE.keys()}

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import ast
 import re
+from collections import defaultdict
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
+from typing import Any
 
 import linkwright
 
@@ -14,25 +17,27 @@ CODE = re.compile(r"[a-z]+\.[a-z]+(?:-[a-z]+)*")
 RAISERS = {"Finding", "fault", "DimensionError", "note", "_note"}
 
 
-def trees() -> Iterator[ast.Module]:
-    """The syntax trees of all modules but the catalogue's."""
+@cache
+def nodes() -> dict[type[ast.AST], list[Any]]:
+    """The nodes of all modules but the catalogue's by their type, parsed and walked once for all tests."""
+    found: dict[type[ast.AST], list[Any]] = defaultdict(list)
     for path in sorted(ROOT.rglob("*.py")):
         if "words" not in path.relative_to(ROOT).parts:
-            yield ast.parse(path.read_text(encoding="utf-8"))
+            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+                found[type(node)].append(node)
+    return found
 
 
 def texts() -> set[str]:
     """All string constants that look like a code."""
-    constants = (n.value for tree in trees() for n in ast.walk(tree) if isinstance(n, ast.Constant))
+    constants = (node.value for node in nodes()[ast.Constant])
     return {value for value in constants if isinstance(value, str) and CODE.fullmatch(value)}
 
 
-def raised() -> Iterator[tuple[str, set[str] | None]]:
+@cache
+def raised() -> list[tuple[str, set[str] | None]]:
     """Each place that makes a finding: its code, and the names of its data (``None`` where not plain to see)."""
-    for tree in trees():
-        for function in ast.walk(tree):
-            if isinstance(function, ast.FunctionDef):
-                yield from _in_function(function)
+    return [found for function in nodes()[ast.FunctionDef] for found in _in_function(function)]
 
 
 def _in_function(function: ast.FunctionDef) -> Iterator[tuple[str, set[str] | None]]:
@@ -82,26 +87,23 @@ def terms() -> set[str]:
     """The phrases of the catalogue that the source names: plainly, or by the start of their key."""
     makers = {"Term", "Near", "unexpected", "pair", "plain_number", "ExpressionError", "least"}
     found: set[str] = set()
-    for tree in trees():
-        for node in ast.walk(tree):
-            if isinstance(node, ast.Call) and _name(node.func) in makers:
-                for arg in node.args:
-                    prefix = "syntax-" if _name(node.func) == "ExpressionError" else ""
-                    for part in ast.walk(arg):
-                        if isinstance(part, ast.Constant) and isinstance(part.value, str):
-                            found.add(prefix + part.value)
+    for node in nodes()[ast.Call]:
+        if _name(node.func) in makers:
+            prefix = "syntax-" if _name(node.func) == "ExpressionError" else ""
+            for part in (part for arg in node.args for part in ast.walk(arg)):
+                if isinstance(part, ast.Constant) and isinstance(part.value, str):
+                    found.add(prefix + part.value)
     return found
 
 
 def wanted() -> set[str]:
     """The phrases that say what is wanted where something else is given."""
     found: set[str] = set()
-    for tree in trees():
-        for node in ast.walk(tree):
-            if isinstance(node, ast.Call) and node.args and _name(node.func) in ("unexpected", "pair", "plain_number"):
-                last = node.args[-1] if _name(node.func) == "plain_number" else node.args[0]
-                if isinstance(last, ast.Constant):
-                    found.add(str(last.value))
+    for node in nodes()[ast.Call]:
+        if node.args and _name(node.func) in ("unexpected", "pair", "plain_number"):
+            last = node.args[-1] if _name(node.func) == "plain_number" else node.args[0]
+            if isinstance(last, ast.Constant):
+                found.add(str(last.value))
     return found
 
 
@@ -112,35 +114,37 @@ CALLS = {"say": "", "Said": "", "Term": "term."}
 def spoken() -> Iterator[tuple[str, set[str] | None]]:
     """Each place that names a text: a pattern of its key, and the names of its data (``None`` where not plain to see,
     or where the key isn't plain itself)."""
-    for tree in trees():
-        for node in ast.walk(tree):
-            if isinstance(node, ast.Call) and _name(node.func) in CALLS and node.args:
-                names = {keyword.arg for keyword in node.keywords}
-                for key in _patterns(node.args[0]):
-                    whole = None in names or HOLE in key
-                    given = None if whole else {name for name in names if name}
-                    yield re.escape(CALLS[_name(node.func)]) + key, given
+    for node in nodes()[ast.Call]:
+        if _name(node.func) in CALLS and node.args:
+            names = {keyword.arg for keyword in node.keywords}
+            for key in _patterns(node.args[0]):
+                whole = None in names or HOLE in key
+                given = None if whole else {name for name in names if name}
+                yield re.escape(CALLS[_name(node.func)]) + key, given
     yield from ((key, None) for key in tables() if HOLE not in key)
 
 
 def tables() -> Iterator[str]:
     """The keys that tables make of the texts they name, as patterns: of the title, of all heads."""
-    for tree in trees():
-        for node in ast.walk(tree):
-            match node:
-                case (
-                    ast.Call(func=ast.Name("table"), args=[ast.Constant(str(of)), *names])
-                    | ast.Call(func=ast.Name("partial"), args=[ast.Name("table"), ast.Constant(str(of)), *names])
-                ):
-                    title = _patterns(names[0]) if names else []
-                    yield from (rf"{of}\.{key}" for key in (rf"table\.{(title or [HOLE])[0]}", rf"column\.{HOLE}"))
+    for node in nodes()[ast.Call]:
+        match node:
+            case (
+                ast.Call(func=ast.Name("table"), args=[ast.Constant(str(of)), *names])
+                | ast.Call(func=ast.Name("partial"), args=[ast.Name("table"), ast.Constant(str(of)), *names])
+            ):
+                title = _patterns(names[0]) if names else []
+                yield from (rf"{of}\.{key}" for key in (rf"table\.{(title or [HOLE])[0]}", rf"column\.{HOLE}"))
 
 
-def keys() -> re.Pattern[str]:
-    """All keys that strings of the source make up, those with holes too where they tell at least a key's group."""
-    nodes = [node for tree in trees() for node in ast.walk(tree) if isinstance(node, ast.expr)]
-    found = {key for node in nodes for key in _patterns(node) if HOLE not in key or GROUP.match(key)}
-    return re.compile("|".join({*found, *tables()} - {re.escape("term.") + HOLE}))
+def named(keys: set[str]) -> set[str]:
+    """Those of the keys that strings of the source make up, those with holes too where they tell at least a key's
+    group."""
+    strings = (node for kind in (ast.Constant, ast.JoinedStr, ast.IfExp, ast.BinOp) for node in nodes()[kind])
+    found = {key for node in strings for key in _patterns(node)} | {*tables()}
+    whole = {key for key in found if HOLE not in key}
+    parts = {key for key in found - whole if GROUP.match(key)} - {re.escape("term.") + HOLE}
+    made = re.compile("|".join(parts))
+    return {key for key in keys if re.escape(key) in whole or made.fullmatch(key)}
 
 
 HOLE = ".+"
