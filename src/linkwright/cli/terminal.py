@@ -114,7 +114,7 @@ def _(block: Cards) -> None:
     for number, card in enumerate(block.cards, start=1):
         made.add_row(str(number), escape(str(card.note)), escape("\n".join(card.lines) or str(card.unknown)))
     out.print()
-    out.print(fitted(made, wide.width))
+    out.print(fitted(made, out.width))
 
 
 @lines.register
@@ -148,7 +148,7 @@ def _(block: Checks) -> None:
     made = table(*(say(f"cli.column.{head}") for head in ("check", "figure", "verdict")), right=(1,))
     for check in block.checks:
         made.add_row(escape(str(check.name)), escape(check.figure), f"{_mark(check.ok)} {escape(str(check.sentence))}")
-    out.print(fitted(made, wide.width))
+    out.print(fitted(made, out.width))
     for note in block.remarks:
         out.print(escape(str(note)))
     out.print()
