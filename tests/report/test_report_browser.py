@@ -334,6 +334,7 @@ def test_prints_with_still_drawing_and_all_plots(show: Any, report: ReportData, 
     assert on_screen.locator("visible=true").count() == 0
     shown = "cells => cells.map(cell => [getComputedStyle(cell).fontSize, getComputedStyle(cell).paddingTop].join())"
     assert len({*view.page.locator("#cam td").evaluate_all(shown)}) == 1  # wide tables are as small as others
+    assert view.page.locator(".plots").first.evaluate("row => getComputedStyle(row).orphans") == "1"
     assert view.page.locator("h3").first.evaluate("head => getComputedStyle(head).breakAfter") == "avoid"
     assert view.page.locator("#still svg").is_visible()
     assert not view.page.locator("#drawing").is_visible()
