@@ -27,6 +27,7 @@ from linkwright.presentation.blocks import (
     Table,
 )
 from linkwright.presentation.cells import NumberCell, Verdict
+from linkwright.presentation.lettering import columns
 
 HOSTILE = "[red]x[/red]\x1b[2J"
 SEEN = "[red]x[/red]\\x1b[2J"
@@ -99,6 +100,22 @@ def test_a_table_breaks_lines_between_hanzi(shown: Printed, monkeypatch: pytest.
     text = "在全部 201 个位姿上，所有运动副均封闭。"
     rows = shown(Table("t", "T", ["a", "b"], [["[x]", text]]))[2:]
     assert [line.strip() for line in rows if line] == ["[x]  在全部 201 个位姿上，所", "有运动副均封闭。"]
+
+
+def test_numbers_of_a_wide_table_stay_whole(shown: Printed, monkeypatch: pytest.MonkeyPatch) -> None:
+    """In 80 columns texts fold, and the table is as low as it can be; where nothing fits it is as wide as it is."""
+    heads = ["驱动", "信号", "最小", "位置", "最大", "位置", "行程", "单位", "急回系数"]
+    values = (67.97569, 337.9757, 112.0243, 202.0243, 44.04863)
+    cells = [NumberCell(value, unit="deg" * (i in (1, 3))) for i, value in enumerate(values)]
+    row = ["给定运动", "lever.angle", *cells, "deg", NumberCell(1.648006)]
+    table = Table("t", "T", heads, [row])
+    monkeypatch.setattr(terminal.wide, "_width", 80)
+    lines = shown(table)[1:-1]
+    assert len(lines) == 3 and max(map(columns, lines)) <= 80
+    for text in ("lever.angle", "337.9757", *(str(value) for value in values), "1.648006", "急回系数"):
+        assert any(text in line.split() for line in lines), text
+    monkeypatch.setattr(terminal.wide, "_width", 20)
+    assert "".join("".join(line.split()) for line in shown(Table("t", "T", ["a"], [["x" * 30]]))[2:]) == "x" * 30
 
 
 def test_cards_are_a_table_of_their_lines(shown: Printed) -> None:

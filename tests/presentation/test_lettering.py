@@ -38,5 +38,12 @@ def test_a_text_is_broken_where_it_is_folded(room: int) -> None:
 
 def test_what_isn_t_broken_needs_its_width() -> None:
     assert widest("one 三 three") == 5
+
+
+def test_a_percent_sign_stays_with_its_figure() -> None:
+    for room in range(8, 30):
+        lines = [*folded("偏距 81 %、连杆长 15 %、AD 4.3 %, CD 2 %", room)]
+        assert not any(line.startswith("%") for line in lines), lines
+    assert widest("a 99.73 %") == 7
     assert widest("12 段，逐段") == 4  # a sign stays with its hanzi
     assert widest("") == 0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from xml.etree import ElementTree
 
 import pytest
@@ -27,6 +28,7 @@ from linkwright.presentation.blocks import (
 )
 from linkwright.presentation.cells import NumberCell
 from linkwright.report.html_blocks import html, section
+from linkwright.report.prose import prose
 
 HOSTILE = "<img src=x>&\"'"
 SVG = "<svg/>"
@@ -75,10 +77,24 @@ def test_details_and_notes_stand_on_the_page() -> None:
 
 def test_cells_bear_their_heads_and_lines() -> None:
     table = html(Table("one", "Title", ["a", "b"], [["x\ny", NumberCell(2.5, unit="mm")]]))
-    assert '<td data-head="a">x<br>y</td><td data-head="b">2.5 mm</td>' in table
+    assert '<td data-head="a">x<br>y</td><td data-head="b">2.5\u00a0mm</td>' in table
     assert "<h3>Title</h3>" in table and 'class="limits"' in table
-    wide = Table("one", "Title", [str(i) for i in range(8)], [[str(i) for i in range(8)]])
-    assert 'class="limits wide"' in html(wide)
+    wide = Table("one", "Title", [str(i) for i in range(8)], [[*"0123456", "7 mm"]])
+    assert 'class="limits wide"' in html(wide) and ">7 mm<" in html(wide)
+
+
+def test_no_line_begins_with_a_unit() -> None:
+    """Figures stay with their units and percent signs; other words may begin a line."""
+    for text in ("从 10.8 N 至 -0.3 N·m 之间", "0.001 deg/deg²；0.5 1/mm", "l2 22 %、l1 17 %", "is 99.73 %."):
+        shown = prose(text)
+        assert shown.replace("\u00a0", " ") == text
+        assert not re.search(r"\d (?:N|deg|1/mm|%)", shown), shown
+    assert prose("9 个位姿, 5 contributors <b>, 3 mm_long") == "9 个位姿, 5 contributors &lt;b&gt;, 3 mm_long"
+
+
+def test_what_one_can_do_with_a_picture_isn_t_printed() -> None:
+    text = html(Charts([Chart("A < B", lambda: SVG, hint="click")]))
+    assert f'<figcaption>A &lt; B<span class="note screen">click</span></figcaption>{SVG}' in text
 
 
 def test_a_card_has_lines_for_the_file_or_says_that_there_are_none() -> None:

@@ -16,7 +16,7 @@ import pytest
 
 from helpers.accuracies import outcome
 from helpers.workspaces import five_bar, performed
-from linkwright.presentation.blocks import Copied, Measures, Section
+from linkwright.presentation.blocks import Chart, Charts, Copied, Measures, Section, Table
 from linkwright.report import ReportData, Scene, page
 from linkwright.report.build import report_data
 from linkwright.studies.accuracy.report import report as accuracy_report
@@ -324,9 +324,18 @@ def test_centrodes_are_switched_on_and_roll(show: Any, report: ReportData, feede
 
 
 def test_prints_with_still_drawing_and_all_plots(show: Any, report: ReportData, tmp_path: Path) -> None:
+    tables = [Table("t", "T", [str(i) for i in range(count)], [["1"] * count]) for count in (3, 8)]
+    report["sections"] += [Section("cam", [Charts([Chart("one", lambda: "<svg/>", hint="click")]), *tables])]
     view = show(report, color_scheme="dark")
+    on_screen = view.page.locator("#cam .note, footer, .hint")
+    assert on_screen.count() == on_screen.locator("visible=true").count() == 3
     view.page.emulate_media(media="print")
     view.settle()
+    assert on_screen.locator("visible=true").count() == 0
+    shown = "cells => cells.map(cell => [getComputedStyle(cell).fontSize, getComputedStyle(cell).paddingTop].join())"
+    assert len({*view.page.locator("#cam td").evaluate_all(shown)}) == 1  # wide tables are as small as others
+    assert view.page.locator(".plots").first.evaluate("row => getComputedStyle(row).orphans") == "1"
+    assert view.page.locator("h3").first.evaluate("head => getComputedStyle(head).breakAfter") == "avoid"
     assert view.page.locator("#still svg").is_visible()
     assert not view.page.locator("#drawing").is_visible()
     assert view.page.locator("#still .lw-ghost").count() == 8
@@ -347,6 +356,8 @@ def test_prints_with_still_drawing_and_all_plots(show: Any, report: ReportData, 
 def test_fits_a_phone(show: Any, report: ReportData) -> None:
     view = show(report, viewport={"width": 360, "height": 740})
     assert view.page.evaluate("document.documentElement.scrollWidth") == 360
+    empty = view.page.locator("td:empty")
+    assert empty.count() > 0 == empty.locator("visible=true").count()  # no heads of cells without anything in them
 
 
 def test_a_drawing_review_is_copied_for_a_spreadsheet(show: Any, report: ReportData, accuracy: Section) -> None:
@@ -399,6 +410,8 @@ def test_one_pose_of_a_workspace_stands_still_before_its_regions(show: Any, widt
     view = show(report_data(job.examined.document, job.outcomes), viewport={"width": width, "height": 900})
     assert view.complaints == []
     assert view.page.evaluate("document.documentElement.scrollWidth") == width
+    first, row = (view.page.locator(f"#workspace .plots{part}").first.bounding_box() for part in (" > figure", ""))
+    assert first["width"] == row["width"]  # wide enough for the letters of its legend
     drawing = view.page.locator("#drawing")
     assert not drawing.locator(".lw-bar").is_visible() and not drawing.locator("select").is_visible()
     frame = drawing.locator("svg.lw-drawing").bounding_box()

@@ -34,6 +34,7 @@ def said(**law: Any) -> str:
             {"position": "10 + 60*t/(1 s)"},
             "position 10 + 60*t/(1 s), starts at 10 deg with 60 deg/s = 10 rpm",
         ),
+        ({"position": "10 + 1e-12*t/(1 s)"}, "position 10 + 1e-12*t/(1 s), starts at 10 deg with 0 deg/s"),
         ({"position": "10 + " + 30 * "0*" + "1"}, "position by its motion law, starts at 10 deg with 0 deg/s"),
     ],
 )

@@ -59,7 +59,7 @@ ALLOWED = {
 """Texts that may have a word in another sense."""
 
 VERDICTS = {"cli.met", "cli.not_met", "report.pass", "report.fail", "report.holds", "report.violated", "cam.kept",
-            "cam.not-kept"}  # fmt: skip
+            "cam.not-kept", "cam.met", "cam.not-met"}  # fmt: skip
 
 
 TYPED = re.compile(r"[A-Za-z}]\*[A-Za-z{]|\^\d")

@@ -22,6 +22,7 @@ from linkwright.presentation.blocks import (
     Table,
     filled,
 )
+from linkwright.presentation.lettering import columns, folded, widest
 from linkwright.words import say
 
 
@@ -57,6 +58,34 @@ def table(*heads: object, right: tuple[int, ...] = ()) -> Grid:
     return made
 
 
+def fitted(grid: Grid, room: int) -> Grid:
+    """The table in a ``room`` of so many columns, where it can be: words and numbers stay whole, and the column that
+    takes the most lines is widened until there is no room left. Rich alone would break numbers between their digits."""
+    texts = [[out.render_str(str(cell)).plain for cell in (one.header, *one.cells)] for one in grid.columns]
+    full = [max(columns(line) for text in some for line in text.split("\n")) for some in texts]
+    widths = [max(map(widest, some)) for some in texts]
+    gap = 2 if sum(widths) + 2 * len(widths) <= room else 1
+    free = room - sum(widths) - gap * len(widths)
+    if sum(full) + 2 * len(full) <= room or free < 0:
+        return grid
+    heights = [_height(some, width) for some, width in zip(texts, widths, strict=True)]
+    for _ in range(free):
+        if not (narrow := [i for i in range(len(full)) if widths[i] < full[i]]):
+            break
+        i = max(narrow, key=lambda i: (heights[i], widths[i] - full[i]))
+        widths[i] += 1
+        heights[i] = _height(texts[i], widths[i])
+    grid.padding = (0, gap, 0, 0)
+    for one, width in zip(grid.columns, widths, strict=True):
+        one.width = width
+    return grid
+
+
+def _height(texts: list[str], width: int) -> int:
+    """The lines of the cell that takes most of them in a column of so many letters."""
+    return max(sum(1 for line in text.split("\n") for _ in folded(line, width)) for text in texts)
+
+
 @singledispatch
 def lines(block: Block) -> None:
     """Print a block that has something in it; those of pictures have nothing here."""
@@ -75,7 +104,7 @@ def _(block: Table) -> None:
     for row in block.rows:
         made.add_row(*(escape(str(cell)) for cell in row))
     out.print(f"[bold underline]{escape(str(block.title))}[/]")
-    wide.print(made)
+    wide.print(fitted(made, wide.width))
     out.print()
 
 
@@ -85,7 +114,7 @@ def _(block: Cards) -> None:
     for number, card in enumerate(block.cards, start=1):
         made.add_row(str(number), escape(str(card.note)), escape("\n".join(card.lines) or str(card.unknown)))
     out.print()
-    out.print(made)
+    out.print(fitted(made, out.width))
 
 
 @lines.register
@@ -95,7 +124,7 @@ def _(block: Measures) -> None:
     for measure in block.measures:
         for i, value in enumerate(measure.values or [MeasureValue()]):
             made.add_row(*_measured(measure, value, first=i == 0))
-    wide.print(made)
+    wide.print(fitted(made, wide.width))
     out.print()
 
 
@@ -119,7 +148,7 @@ def _(block: Checks) -> None:
     made = table(*(say(f"cli.column.{head}") for head in ("check", "figure", "verdict")), right=(1,))
     for check in block.checks:
         made.add_row(escape(str(check.name)), escape(check.figure), f"{_mark(check.ok)} {escape(str(check.sentence))}")
-    out.print(made)
+    out.print(fitted(made, out.width))
     for note in block.remarks:
         out.print(escape(str(note)))
     out.print()

@@ -9,8 +9,13 @@ from linkwright.presentation.blocks import Chart
 
 
 def figures(charts: Iterable[Chart]) -> str:
-    """Charts as HTML, each with its title."""
+    """Charts as HTML, each with its title and what one can do with it, which isn't printed."""
     return "".join(
-        f'<figure class="chart-still"><figcaption>{markup(chart.title)}</figcaption>{chart.drawing}</figure>'
+        f'<figure class="chart-still"><figcaption>{_caption(chart)}</figcaption>{chart.drawing}</figure>'
         for chart in charts
     )
+
+
+def _caption(chart: Chart) -> str:
+    hint = f'<span class="note screen">{markup(chart.hint)}</span>' if chart.hint else ""
+    return f"{markup(chart.title)}{hint}"

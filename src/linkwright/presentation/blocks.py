@@ -59,12 +59,13 @@ def table(of: str, name: str, heads: Iterable[Text], rows: Iterable[Sequence[Cel
 @dataclass(frozen=True)
 class Chart:
     """A still picture, drawn as SVG where it is shown. Charts of one ``stack`` show the same for other values of
-    parameters; ``step`` are the positions of their sliders."""
+    parameters; ``step`` are the positions of their sliders. ``hint`` says what one can do with it on a screen."""
 
     title: Text
     draw: Callable[[], str]
     stack: str | None = None
     step: tuple[int, ...] = ()
+    hint: Text = ""
 
     @cached_property
     def _drawings(self) -> dict[str, str]:

@@ -17,7 +17,7 @@ _CLOSING = "，。；：、）”！？》"
 _FULL_WIDTH = "，。；：、！？（）《》"
 _UNSPACED = re.compile(f"(?<=[{_FULL_WIDTH}]) | (?=[{_FULL_WIDTH}])|(?<=[{_WIDE}]) (?=[{_WIDE}“])|(?<=”) (?=[{_WIDE}])")
 """Spaces beside full-width punctuation, and between hanzi."""
-_PART = re.compile(f"[“（《]*(?:[{_WIDE}]|[^\\s{_WIDE}]+)[{_CLOSING}]*|\\s+")
+_PART = re.compile(f"[“（《]*(?:[{_WIDE}]|[^\\s{_WIDE}]+(?:(?<=\\d) %)?)[{_CLOSING}]*|\\s+")
 
 
 def columns(text: str) -> int:

@@ -23,11 +23,12 @@ from linkwright.presentation.blocks import (
     filled,
 )
 from linkwright.presentation.cells import Cell, NumberCell, Numbers
+from linkwright.report.prose import prose
 from linkwright.report.stacks import stacks
 from linkwright.words import say
 
 WIDE = 7
-"""Tables of more columns are set narrower."""
+"""Tables of more columns are set narrower, their units below the figures where need be."""
 
 
 def section(shown: Section) -> str:
@@ -45,19 +46,20 @@ def html(block: Block) -> str:
 @html.register
 def _(block: Sentences) -> str:
     kind = ' class="note"' if block.note else ""
-    return "".join(f"<p{kind}>{markup(text)}</p>" for text in block.texts)
+    return "".join(f"<p{kind}>{prose(text)}</p>" for text in block.texts)
 
 
 @html.register
 def _(block: Bullets) -> str:
-    return f"<ul>{''.join(f'<li>{markup(text)}</li>' for text in block.texts)}</ul>"
+    return f"<ul>{''.join(f'<li>{prose(text)}</li>' for text in block.texts)}</ul>"
 
 
 @html.register
 def _(block: Table) -> str:
-    heads = [markup(head) for head in block.heads]
-    rows = ([_cell(cell) for cell in row] for row in block.rows)
-    kind = "limits wide" if len(heads) > WIDE else "limits"
+    heads = [prose(head) for head in block.heads]
+    wide = len(heads) > WIDE
+    rows = ([_cell(cell, wide) for cell in row] for row in block.rows)
+    kind = "limits wide" if wide else "limits"
     return f"<h3>{markup(block.title)}</h3>{table(kind, heads, rows, block.numeric)}"
 
 
@@ -81,7 +83,7 @@ def _(block: Cards) -> str:
 
 def _card(card: Card, section: str) -> str:
     lines = [f"{section}:", *(f"  {line}" for line in card.lines)] if card.lines else [str(card.unknown)]
-    head = f"<b>{markup(card.title)}</b> {markup(card.note)}"
+    head = f"<b>{markup(card.title)}</b> {prose(card.note)}"
     return f"<figure>{card.draw()}<figcaption>{head}<pre>{markup(chr(10).join(lines))}</pre></figcaption></figure>"
 
 
@@ -98,10 +100,11 @@ def _measure(measure: Measure) -> Sequence[str]:
         f"<b>{markup(entry.text) or _number(entry.value)}</b> {unit}</span>"
         for entry in measure.values
     )
-    where = "".join(f'<span class="line">{markup(entry.at)}</span>' for entry in measure.values)
-    text = f'<span class="note">{markup(measure.text)}</span>'
+    places = any(str(entry.at) for entry in measure.values)
+    where = "".join(f'<span class="line">{prose(entry.at)}</span>' for entry in measure.values) if places else "–"
+    text = f'<span class="note">{prose(measure.text)}</span>'
     for grade in dict.fromkeys(str(entry.grade) for entry in measure.values):
-        text += f'<span class="note">{markup(grade)}</span>'
+        text += f'<span class="note">{prose(grade)}</span>'
     judged = "–"
     if measure.verdict is not None:
         judged = mark(measure.verdict, say("report.pass" if measure.verdict else "report.fail"))
@@ -114,7 +117,7 @@ def _(block: Checks) -> str:
     heads = (markup(say(f"report.{head}")) for head in ("check", "figure", "meaning", "verdict"))
     total, passed = len(block.checks), len(block.checks) - len(block.failed)
     line = mark(passed == total, say("report.summary_checks", ok=passed, total=total))
-    after = "".join(f'<p class="note">{markup(remark)}</p>' for remark in block.remarks)
+    after = "".join(f'<p class="note">{prose(remark)}</p>' for remark in block.remarks)
     opened = " open" if passed < total else ""
     return (
         f"<details{opened}><summary>{line}</summary>"
@@ -125,7 +128,7 @@ def _(block: Checks) -> str:
 def _check(check: Check) -> Sequence[str]:
     verdict = mark(check.ok, say("report.holds" if check.ok else "report.violated"))
     figure = f'<span class="figure">{markup(check.figure)}</span>'
-    return (f"<b>{markup(check.name)}</b>", figure, markup(check.sentence), verdict)
+    return (f"<b>{markup(check.name)}</b>", figure, prose(check.sentence), verdict)
 
 
 def table(kind: str, heads: Iterable[str], rows: Iterable[Sequence[str]], numeric: Container[int] = ()) -> str:
@@ -152,6 +155,6 @@ def _number(value: float | None) -> str:
     return "–" if value is None else f"{value:.6g}".replace("-", "−")
 
 
-def _cell(cell: Cell) -> str:
-    text = markup(cell).replace("\n", "<br>")
+def _cell(cell: Cell, wide: bool) -> str:
+    text = (markup if wide else prose)(cell).replace("\n", "<br>")
     return text.replace("-", "−") if isinstance(cell, NumberCell | Numbers) else text

@@ -9,6 +9,7 @@ from linkwright.findings import Text
 from linkwright.presentation.blocks import Check, Checks, Measure, Measures
 from linkwright.report.data import Failure, Plot, ReportData
 from linkwright.report.html_blocks import mark
+from linkwright.report.prose import prose
 from linkwright.words import say
 
 GROUPS = ("motion", "force")
@@ -27,8 +28,8 @@ def header(data: ReportData) -> str:
     if checks:
         text = say("report.summary_checks", ok=sum(checks), total=len(checks))
         badges.append(mark(all(checks), text))
-    subtitle = f'<p class="subtitle">{markup(data["subtitle"])}</p>' if data["subtitle"] else ""
-    source = f'<p class="source">{markup(data["source"])}</p>' if data["source"] else ""
+    subtitle = f'<p class="subtitle">{prose(data["subtitle"])}</p>' if data["subtitle"] else ""
+    source = f'<p class="source">{prose(data["source"])}</p>' if data["source"] else ""
     return (
         f"<header><h1>{markup(data['title'])}</h1>{subtitle}{source}"
         f'<p class="origin">{markup(data["origin"])}</p>'
@@ -138,10 +139,10 @@ def model(data: ReportData) -> str:
 
 
 def footer(data: ReportData) -> str:
-    """Which version made the page."""
+    """Which version made the page; on paper the header alone says it, so that this has no page of its own."""
     made = say("report.made_with", version=data["version"])
-    return f"<footer>{markup(made)}</footer>"
+    return f'<footer class="screen">{markup(made)}</footer>'
 
 
 def _lines(text: Text) -> str:
-    return markup(text).replace("\n", "<br>")
+    return prose(text).replace("\n", "<br>")

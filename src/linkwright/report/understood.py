@@ -18,6 +18,8 @@ from linkwright.model.plausible import amount
 
 LONGEST = 60
 """The text of a longer law isn't shown."""
+ROUND_OFF = 1e-12
+"""A value of a law (SI) or a rate below this is zero but for round-off."""
 
 
 def drives(compiled: Compiled) -> list[Said]:
@@ -74,6 +76,7 @@ def _motion(compiled: Compiled, name: str) -> Said:
     q, turning = compiled.quantities, bool(compiled.mechanism.prescribed(name).turns)
     value, rate, change = (u.ANGLE, u.OMEGA, u.ALPHA) if turning else (u.LENGTH, u.SPEED, u.ACCELERATION)
     at = [float(np.asarray(d).flat[0]) for d in compiled.laws[name](np.zeros(1)).d[:3]]
+    at = [0.0 if abs(part) < ROUND_OFF else part for part in at]
     said = {"start": amount(q, at[0], value), "speed": _speed(compiled, at[1], rate)}
     if (follower := compiled.mechanism.followers.get(name)) is not None:
         laws = Joined(follower.laws.values())

@@ -93,7 +93,7 @@ def test_joints_lie_as_in_the_vehicle(hinge: Any) -> None:
     (scale, _), rest, *_ = np.linalg.lstsq(np.stack([places, np.ones_like(places)], axis=1), pins, rcond=None)
     assert np.sqrt(rest[0].real / 4) < 0.1
     assert abs(scale.imag) < 1e-3 < scale.real
-    assert '<td class="figure">500, 640, 860</td>' in page
+    assert 'data-head="At the zero pose, mm">500, 640, 860</td>' in page
     assert "(0, −1, 0)" in page
 
 
@@ -148,6 +148,10 @@ def test_the_sheet_prints_on_one_page_and_copies(browser: Any, hinge: Any, tmp_p
     page.on("pageerror", lambda error: said.append(str(error)))
     page.goto(page_file.as_uri())
     assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+    heads = page.locator("tr.first td:not(:first-child)").evaluate_all(
+        "cells => cells.map(cell => getComputedStyle(cell, '::before').content)"
+    )
+    assert heads[:4] == [f'"{text}"' for text in re.findall("<th>(.*?)</th>", hinge[2])[1:]]
     ground, ink = page.evaluate("(s => [s.backgroundColor, s.color])(getComputedStyle(document.body))")
     assert [sum(map(int, re.findall(r"\d+", colour))) < 380 for colour in (ground, ink)] == [True, False]
     button = page.get_by_role("button", name="Copy").first

@@ -6,6 +6,7 @@ import csv
 import io
 import json
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
@@ -19,6 +20,7 @@ from linkwright.presentation.blocks import Charts, Table
 from linkwright.report.build import report_data
 from linkwright.report.page import page
 from linkwright.studies.workspace.certificate import Contradiction, RegionCertificate
+from linkwright.studies.workspace.dxf_file import read_curve
 from linkwright.studies.workspace.files import boundary_csv, dxf, geojson, svg
 from linkwright.studies.workspace.report import report
 
@@ -168,6 +170,29 @@ def test_dxf_holds_a_closed_polyline_for_each_ring(job: Job) -> None:
     assert outer.closed and drawing.units == ezdxf.units.MM and outer.dxf.layer == "1 b - 30 mm"
     radius = [max(np.hypot(x, y) for x, y, *_ in line) for line in (outer, inner)]
     assert radius == pytest.approx([70, 10], abs=0.01)
+
+
+def test_hanzi_arrive_in_a_drawing(job: Job, tmp_path: Path) -> None:
+    """As UTF-8, which CAD systems read in this version of the format whatever the code page, and in ours too."""
+    ezdxf = pytest.importorskip("ezdxf")
+    assert job.workspace is not None
+    (one,) = job.workspace.workspaces
+    (region,) = one.regions
+    named = replace(
+        job.workspace, workspaces=[replace(one, regions=[replace(region, mode="铰点: 轴心左侧")], curves=[])]
+    )
+    file = tmp_path / "edge.dxf"
+    file.write_text(dxf(named) or "", encoding="utf-8")
+    drawing = ezdxf.readfile(file)
+    layer = "1 铰点- 轴心左侧 b - 30 mm"
+    assert drawing.dxfversion >= "AC1021" and layer in drawing.layers
+    assert {line.dxf.layer for line in drawing.modelspace()} == {layer}
+    drawing.modelspace().delete_entity(drawing.modelspace()[1])  # the ring of the hole
+    for version, encoding in (("AC1024", "utf-8"), ("AC1015", "gbk")):
+        drawing.dxfversion, drawing.encoding = version, "gbk"
+        drawing.saveas(file)
+        assert layer.encode(encoding) in file.read_bytes()
+        assert len(read_curve(file.name, tmp_path, layer, ())) > 10
 
 
 def test_the_picture_names_the_determinants_and_is_sound(job: Job, two: Job) -> None:

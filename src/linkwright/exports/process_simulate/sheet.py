@@ -22,6 +22,7 @@ from linkwright.findings import SENTENCES, Joined, Said
 from linkwright.kernels import Compiled
 from linkwright.presentation.blocks import Chart
 from linkwright.presentation.html_file import html_file
+from linkwright.report.prose import prose
 from linkwright.words import say
 
 Array = NDArray[np.float64]
@@ -65,7 +66,7 @@ def _body(title: Said, compiled: Compiled, functions: JointFunctions, facts: Hin
         range=_limits(functions.driving, facts),
         error=_error(functions.max_error, " / ".join(dict.fromkeys(_UNITS[f.kind] for f in functions.functions))),
     )
-    return f"""<header><h1>{markup(title)}</h1><p class="subtitle">{markup(subtitle)}</p></header>
+    return f"""<header><h1>{markup(title)}</h1><p class="subtitle">{prose(subtitle)}</p></header>
 <main>
 <section id="linkage"><div class="two">{_linkage(compiled, functions, facts)}{_plane(compiled, facts)}</div></section>
 <section id="joints"><h2>{markup(say("sheet.functions"))}</h2>{_table(compiled, functions, facts)}</section>
@@ -103,7 +104,7 @@ def _linkage(compiled: Compiled, functions: JointFunctions, facts: HingeFacts) -
         notes.append(say("sheet.axis.flat"))
     else:
         notes.append(say("sheet.axis", normal=", ".join(_number_text(part) for part in compiled.plane.normal)))
-    note = f'<p class="note">{markup(Joined(notes, SENTENCES))}</p>'
+    note = f'<p class="note">{prose(Joined(notes, SENTENCES))}</p>'
     return f"<figure><figcaption>{markup(say('sheet.drawing'))}</figcaption>{drawn}<ol>{links}</ol>{note}</figure>"
 
 
@@ -134,13 +135,11 @@ def _table(compiled: Compiled, functions: JointFunctions, facts: HingeFacts) -> 
             if joint.name != joint.joint:
                 name += f'<span class="note">{markup(say("sheet.model", joint=joint.joint))}</span>'
         off = _error(joint.error, _UNITS[joint.kind]) if joint.text and not joint.helper else "–"
-        cells = [
-            f"{name}</td>",
-            f"<td>{markup(links)}{_note('sheet.flipped') if joint.sign < 0 else ''}</td>",
-            f'<td class="figure">{where}</td>',
-            f'<td class="figure">{_limits(joint, facts)}</td>',
-            f'<td class="figure">{off}</td>',
-        ]
+        flipped = _note("sheet.flipped") if joint.sign < 0 else ""
+        values = (f"{markup(links)}{flipped}", where, _limits(joint, facts), off)
+        kinds = ("", ' class="figure"', ' class="figure"', ' class="figure"')
+        shown = zip(kinds, heads[1:], values, strict=True)
+        cells = [f"{name}</td>", *(f'<td{kind} data-head="{markup(head)}">{text}</td>' for kind, head, text in shown)]
         text = (
             f'<div class="paste"><code>{markup(joint.text)}</code><button class="copy" type="button" hidden '
             f'data-done="{markup(say("sheet.copied"))}">{markup(say("sheet.copy"))}</button></div>'
@@ -197,7 +196,7 @@ def _facts(compiled: Compiled, facts: HingeFacts) -> str:
         x0, y0, x1, y1 = (_number_text(edge) for edge in told["swept"]["bounds"])
         data = {"area": f"{told['swept']['area']:.6g}", "unit": told["swept"]["unit"]}
         rows.append((say("sheet.swept"), say("sheet.swept.text", x0=x0, x1=x1, y0=y0, y1=y1, **data)))
-    cells = "".join(f"<div><dt>{markup(name)}</dt><dd>{markup(text)}</dd></div>" for name, text in rows)
+    cells = "".join(f"<div><dt>{markup(name)}</dt><dd>{prose(text)}</dd></div>" for name, text in rows)
     return f'<dl class="facts">{cells}</dl>'
 
 

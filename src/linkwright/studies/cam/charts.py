@@ -29,8 +29,8 @@ CLIPPED = 20.0
 
 def charts(outcome: CamOutcome) -> list[Chart]:
     """The picture of the cam, and all charts that there are."""
-    title = Said("cam.picture.turning", name=outcome.name)
-    made: list[Chart] = [Chart(title, partial(picture, outcome))]
+    title = Said("cam.picture", name=outcome.name)
+    made: list[Chart] = [Chart(title, partial(picture, outcome), hint=Said("cam.picture.turning"))]
     made += [*_rates(outcome), _pressure(outcome), *_curvatures(outcome)]
     if outcome.map is not None:
         made.append(_map(outcome))

@@ -98,9 +98,7 @@ def picture(outcome: CamOutcome, turning: bool = True) -> str:
     kinds += [*(["pitch"] if follower.radius else []), "follower", *(["worst"] if worst else [])]
     legend: list[tuple[str, Text]] = [(kind, Said(f"cam.kind.{kind}")) for kind in kinds]
     body = f'<g id="camPicture"><g>{"".join(cam)}{turned}</g><g>{rider}{moved if turning else ""}</g></g>'
-    return picture_svg(
-        plane, body, legend, Said("cam.picture.turning" if turning else "cam.picture", name=outcome.name)
-    )
+    return picture_svg(plane, body, legend, Said("cam.picture", name=outcome.name))
 
 
 def flipped(points: Array, second: bool) -> Array:

@@ -215,7 +215,7 @@ def _place(entry: dict[str, Any]) -> NumberCell:
 
 def _mark(entry: dict[str, Any]) -> Cell:
     if "require" in entry:
-        return _word(entry["met"])
+        return Verdict(entry["met"], Said("cam.met" if entry["met"] else "cam.not-met"))
     return _word(entry["kept"]) if entry.get("limit") is not None else "–"
 
 

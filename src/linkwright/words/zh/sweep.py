@@ -22,7 +22,7 @@ TEXTS: dict[str, str] = {
     "sweep.column.share": "合格率",
     "sweep.column.interval": "95 % 置信区间",
     "sweep.chart.legend": "信号：均值（线）、均值两侧各一倍标准差（深色）、最小至最大（浅色）。测量项：样本直方图。",
-    "sweep.chart.histogram": "{name}：样本",
+    "sweep.chart.histogram": "{name}：样本直方图",
     "sweep.chart.about": "{name} 与其均值之差",
     "sweep.chart.over": "{name}：随 {parameter} 的变化",
     "term.interrupted": "已中断：共 {total} 个部分，已完成 {atoms} 个。{rest}",

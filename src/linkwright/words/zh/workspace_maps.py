@@ -36,7 +36,7 @@ TEXTS: dict[str, str] = {
     "workspace.table.loci": "各区域的奇异位形",
     "workspace.table.errors": "各区域的误差：最小值和最大值",
     "workspace.table.guaranteed": "各区域的保证可达面积",
-    "workspace.column.map": "分布图",
+    "workspace.column.map": "指标",
     "workspace.column.ends": "最小 .. 最大",
     "workspace.column.locus": "奇异位形",
     "workspace.column.determinant": "为零的行列式",

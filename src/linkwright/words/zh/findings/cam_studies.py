@@ -52,7 +52,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "增大 step，或减小凸轮厚度。",
     ),
     "cam.undercut": (
-        "{disc}发生根切：凸轮转角 {theta} 处{name}为 {value} {unit}，必须大于 {limit} {unit}。任何实际廓线都不能使从动件实现该运动。",
+        "{disc}发生运动失真：凸轮转角 {theta} 处{name}为 {value} {unit}，必须大于 {limit} {unit}。任何实际廓线都不能使从动件实现该运动。",
         "增大基圆（最小：{base}），或将升程分布到更大的凸轮转角上{roller}。",
     ),
     "cam.rough": (
@@ -151,7 +151,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "在 post 中指定 {known} 之一，或删除 nc。",
     ),
     "nc.undercut": (
-        "凸轮在 {theta} deg 处发生根切：理论廓线曲率半径为 {radius} mm，滚子半径为 {roller} mm。",
+        "凸轮在 {theta} deg 处发生运动失真：理论廓线曲率半径为 {radius} mm，滚子半径为 {roller} mm。",
         "增大基圆，或减小滚子。",
     ),
     "nc.concave": (
@@ -167,7 +167,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "改用不大于滚子的刀具。",
     ),
     "nc.undercut-outer": (
-        "沟槽外侧面在 {theta} deg 处发生根切：理论廓线内凹，曲率半径为 {radius} mm，滚子半径为 {roller} mm。",
+        "沟槽外侧面在 {theta} deg 处发生运动失真：理论廓线内凹，曲率半径为 {radius} mm，滚子半径为 {roller} mm。",
         "增大基圆，或减小滚子。",
     ),
     "nc.allowance": (

@@ -2,11 +2,11 @@
 
 PROBLEMS: dict[str, tuple[str, str]] = {
     "workspace.path-source": (
-        "要求的轨迹必须有且只有一个来源；已给出：{given}。",
+        "给定轨迹必须有且只有一个来源；已给出：{given}。",
         "写 points、file 或 drawing，或将 x 和 y 写成 u 的公式。",
     ),
     "workspace.path-pace": (
-        "要求的轨迹按电机的恒定速度跟踪，或按给定的时间跟踪，二者只取其一。",
+        "给定轨迹按电机的恒定速度跟踪，或按给定的时间跟踪，二者只取其一。",
         "写 speed（例如 speed: 30 rpm）或 duration（例如 duration: 2 s），不能同时写。",
     ),
     "workspace.path-key": (
@@ -18,7 +18,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "给出速度，例如 30 rpm；负值表示反向。",
     ),
     "workspace.path-none": (
-        "要求的轨迹 {name} 在 {count} 个区域中都不能跟踪。最接近可行的是模式为 {mode} 的区域（取值：{values}），其不能跟踪的原因另行列出。",
+        "给定轨迹 {name} 在 {count} 个区域中都不能跟踪。最接近可行的是模式为 {mode} 的区域（取值：{values}），其不能跟踪的原因另行列出。",
         "查看这些原因；汇总中列出了所有尝试，以及轨迹中不能跟踪的区段。",
     ),
     "workspace.section-drives": (
@@ -39,15 +39,15 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "缩小或移动该形状，或修改机构；largest: circle 可给出能容纳的最大圆。",
     ),
     "workspace.path-short": (
-        "要求的轨迹有 {given} 个互不重合的点；其曲线至少需要 {wanted} 个点。",
+        "给定轨迹有 {given} 个互不重合的点；其曲线至少需要 {wanted} 个点。",
         "增加点，或采用直线段（between: linear）。",
     ),
     "workspace.path-unit": (
-        "要求的轨迹的“{column}”列不是长度。",
+        "给定轨迹的“{column}”列不是长度。",
         "在方括号中注明单位，例如“x [mm]”。",
     ),
     "workspace.path-drawing": (
-        "图形文件 {file} 中有 {count} 条曲线；要求的轨迹必须是单条曲线。",
+        "图形文件 {file} 中有 {count} 条曲线；给定轨迹必须是单条曲线。",
         "将其合并为一条多段线，或指定只含该轨迹的图层。",
     ),
     "drawing.unreadable": (
@@ -67,48 +67,48 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "重画该图元，最好画成原点附近的一条多段线。",
     ),
     "workspace.path-name": (
-        "要求的轨迹的公式中不能使用“{name}”。",
+        "给定轨迹的公式中不能使用“{name}”。",
         "用 u（从 0 变到 1）、参数和函数表示 x 和 y。",
     ),
     "workspace.path-value": (
-        "要求的轨迹的公式在 u = {u:.6g} 处没有值。",
+        "给定轨迹的公式在 u = {u:.6g} 处没有值。",
         "检查是否除以零或对负数开方。",
     ),
     "workspace.path-rests": (
-        "按要求的轨迹的公式，点在 u = {u:.6g} 处停止，而电机在该处不能停止。",
+        "按给定轨迹的公式，点在 u = {u:.6g} 处停止，而电机在该处不能停止。",
         "修改 x 和 y 的公式，使点随 u 增大不断移动；或按时间给出轨迹（duration）。",
     ),
     "workspace.path-corner": (
-        "要求的轨迹有 {count} 个尖角，第一个在 u = {u:.6g} 处：驱动的速度在该处突变。",
+        "给定轨迹有 {count} 个尖角，第一个在 u = {u:.6g} 处：驱动的速度在该处突变。",
         "将尖角倒圆，或用光滑曲线通过各点（between: cubic）。",
     ),
     "workspace.path-outside": (
-        "在 u = {start} 至 {stop} 之间，{point} 不能到达要求的轨迹：轨迹最远超出区域 {by}。",
+        "在 u = {start} 至 {stop} 之间，{point} 不能到达给定轨迹：轨迹最远超出区域 {by}。",
         "移动或缩小轨迹，或选择其他装配模式；最大圆和最大矩形可显示能容纳的大小。",
     ),
     "workspace.path-singular": (
-        "在 u = {start} 至 {stop} 之间，要求的轨迹不能跟踪：它遇到第一类奇异位形，{point} 在该处的某个方向上不能运动"
+        "在 u = {start} 至 {stop} 之间，给定轨迹不能跟踪：它遇到第一类奇异位形，{point} 在该处的某个方向上不能运动"
         "（d(x, y)/d(drives) 的行列式为零）。",
         "使轨迹避开图中所示的奇异曲线，或从其他位置开始。",
     ),
     "workspace.path-modes": (
-        "在 u = {start} 至 {stop} 之间，要求的轨迹不能跟踪：两种装配模式在第二类奇异位形重合（某个封闭方程的行列式为零）。",
+        "在 u = {start} 至 {stop} 之间，给定轨迹不能跟踪：两种装配模式在第二类奇异位形重合（某个封闭方程的行列式为零）。",
         "使轨迹避开该装配模式的边界，或选择其他装配模式。",
     ),
     "workspace.path-limit": (
-        "在 u = {start} 至 {stop} 之间，要求的轨迹不能跟踪：{drive} 到达其范围的极限。",
+        "在 u = {start} 至 {stop} 之间，给定轨迹不能跟踪：{drive} 到达其范围的极限。",
         "扩大 {drive} 的范围，或移动轨迹。",
     ),
     "workspace.path-turns": (
-        "在 u = {start} 至 {stop} 之间，要求的轨迹不能以恒定速度跟踪：{drive} 必须换向。",
+        "在 u = {start} 至 {stop} 之间，给定轨迹不能以恒定速度跟踪：{drive} 必须换向。",
         "使轨迹在该处结束，或按时间给出轨迹（duration），由两个驱动共同跟踪。",
     ),
     "workspace.path-dead": (
-        "要求的轨迹经过 {count} 个第一类奇异位形，第一个在 t = {time:.6g} s 时：{point} 在该处只能沿一个方向运动，驱动的误差与轨迹误差的平方根成正比。",
+        "给定轨迹经过 {count} 个第一类奇异位形，第一个在 t = {time:.6g} s 时：{point} 在该处只能沿一个方向运动，驱动的误差与轨迹误差的平方根成正比。",
         "确保驱动精确地按其运动规律运动；若有避开奇异曲线的轨迹可用，则 {point} 的运动更易保证。",
     ),
     "workspace.servo-reverses": (
-        "沿要求的轨迹，{servo} 换向 {count} 次，第一次在 t = {time:.6g} s 时，但设置了 never_reverse。",
+        "沿给定轨迹，{servo} 换向 {count} 次，第一次在 t = {time:.6g} s 时，但设置了 never_reverse。",
         "改用其他轨迹、电机速度或起点；或允许换向。",
     ),
 }

@@ -33,7 +33,7 @@ TEXTS: dict[str, str] = {
     "schema.Mirror.signs": "mirrored：第二侧的轴线为第一侧的镜像，因此其转动反向计数，移动同向计数；same：两侧同向计数",
     "schema.Facts": "数据表中除运动副函数外的内容。",
     "schema.Facts.panel": "给出其开启角的构件；默认为 handle 或 outline 所在的构件，否则为连杆",
-    "schema.Facts.handle": "手力的作用点，力沿该点的轨迹",
+    "schema.Facts.handle": "操作力的作用点，力沿该点的轨迹",
     "schema.Facts.outline": "门盖（panel）轮廓上依次排列的点；绘出其扫过的区域",
     "schema.Facts.samples": "驱动范围的等分步数",
 }

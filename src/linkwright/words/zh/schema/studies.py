@@ -118,7 +118,7 @@ TEXTS: dict[str, str] = {
     "schema.CamLimits": "限值；超出任一限值时分析为未通过，并报告其位置。",
     "schema.CamLimits.pressure_rise": "推程的最大压力角",
     "schema.CamLimits.pressure_return": "回程的最大压力角",
-    "schema.CamLimits.pitch_over_roller": "理论廓线外凸处最小曲率半径与滚子半径之比；默认为 1（无根切）",
+    "schema.CamLimits.pitch_over_roller": "理论廓线外凸处最小曲率半径与滚子半径之比；默认为 1（无运动失真）",
     "schema.CamLimits.profile_radius": "实际廓线外凸处的最小曲率半径",
     "schema.CamLimits.continuity": "规律的连续性：2 不允许加速度突变，3 还不允许跃度突变",
     "schema.CamLimits.cutter": "刀具半径，内凹处的曲率半径须大于该值；默认与 nc 相同",
