@@ -18,6 +18,10 @@ from linkwright.model.plausible import amount
 
 LONGEST = 60
 """The text of a longer law isn't shown."""
+ROUND_OFF = 1e-13
+"""A speed this small relative to those of its law is round-off: it is 0."""
+INSTANTS = 73
+"""So many instants of a revolution show how fast a follower is."""
 
 
 def drives(compiled: Compiled) -> list[Said]:
@@ -107,9 +111,3 @@ def _speed(compiled: Compiled, speed: float, rate: Dimension) -> str:
     """A speed in the model's unit, of a rotation in rpm too."""
     text = amount(compiled.quantities, speed, rate)
     return text if rate != u.OMEGA or speed == 0 else f"{text} = {speed * 30 / math.pi:.6g} rpm"
-
-
-ROUND_OFF = 1e-13
-"""A speed this small relative to those of its law is round-off: it is 0."""
-INSTANTS = 73
-"""So many instants of a revolution show how fast a follower is."""
