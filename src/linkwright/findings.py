@@ -6,6 +6,7 @@ A finding has a stable code; its words come from the catalogue. Raising is the c
 
 from __future__ import annotations
 
+import errno
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -92,6 +93,23 @@ def alternatives(choices: Sequence[str]) -> Text:
     """Texts of which one is to be written."""
     quoted = [Term("quoted", text=choice) for choice in choices]
     return Term("or", first=Joined(quoted[:-1]), last=quoted[-1]) if len(quoted) > 1 else quoted[0]
+
+
+SYSTEM = frozenset(
+    {"ENOENT", "EACCES", "EPERM", "EISDIR", "ENOTDIR", "EEXIST", "ENOSPC", "EROFS", "ENAMETOOLONG", "EBUSY"}
+)
+"""Refusals of the system that have texts of their own."""
+_IN_USE = (32, 33)
+"""What Windows calls a file that another program holds; Python gives it the number of EACCES."""
+
+
+def reason(error: Exception) -> Text:
+    """Why the system refuses: a text for the usual reasons, else its own words."""
+    if not isinstance(error, OSError):
+        return str(error)
+    in_use = getattr(error, "winerror", None) in _IN_USE
+    name = "EBUSY" if in_use else errno.errorcode.get(error.errno or 0, "")
+    return Term(f"system-{name.lower()}") if name in SYSTEM else error.strerror or str(error)
 
 
 @dataclass(frozen=True)

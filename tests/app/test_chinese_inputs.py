@@ -300,6 +300,11 @@ def test_a_model_in_another_encoding(encoding: str, code: str, words: tuple[str,
     answered(found, words, "UTF-8")
 
 
+def test_a_model_with_one_chinese_word_in_gbk(tmp_path: Path) -> None:
+    text = "linkwright: 1\nname: 压力机\nlinks: {frame: {points: {A: [0, 0]}}}\n"
+    assert "file.read-as" in [one.code for one in check(folder(tmp_path, text.encode("gbk")))]
+
+
 TABLES = [
     (TABLE.encode("gbk"), "", ("", ""), ""),
     (TABLE.encode("utf-16"), "", ("", ""), ""),

@@ -81,6 +81,29 @@ def test_what_may_be_mistaken_is_refused(text: str, encoding: str, name: str) ->
     assert name in found.what and "UTF-8" in found.mend
 
 
+@pytest.mark.parametrize("name", ["机构", "曲柄", "压力机", "四杆机构"])
+def test_a_short_chinese_word_is_enough(name: str) -> None:
+    assert decoded(f"linkwright: 1\nname: {name}\n".encode("gbk")) is not None
+
+
+@pytest.mark.parametrize(
+    ("text", "encoding", "chinese"),
+    [
+        ("привод", "koi8-r", "幸勺夏"),
+        ("ВАЛ И РЫЧАГ", "cp1251", ""),
+        ("크랭크", "euc-kr", "农珐农"),
+        ("기구", "euc-kr", "扁备"),
+        ("位置", "euc-jp", "疤弥"),
+        ("長", "euc-jp", "墓"),
+    ],
+)
+def test_common_characters_alone_are_no_sign_of_chinese(text: str, encoding: str, chinese: str) -> None:
+    """So a text of a few characters that aren't :data:`_OF_MECHANISMS` is refused."""
+    raw = text.encode(encoding)
+    assert not chinese or raw.decode("gb18030") == chinese
+    assert decoded(b"name: " + raw + b"\n") is None
+
+
 def test_what_is_no_text_at_all() -> None:
     assert [f.code for f in findings(b"\x7fELF\x00\xff\xfe\x81")] == ["file.binary"]
     assert [f.code for f in findings(b"\xff\xfe" + "a: \x00".encode("utf-16-le"))] == ["file.encoding"]
@@ -98,6 +121,14 @@ def test_korean_and_random_texts_are_hardly_ever_taken_for_chinese() -> None:
         ]
         taken += decoded(b" ".join(words)) is not None
     assert taken <= 10
+
+
+def test_short_korean_words_are_hardly_ever_taken_for_chinese() -> None:
+    draw, taken = random.Random(7), 0
+    for _ in range(2000):
+        pairs = [(draw.randrange(0xB0, 0xC9), draw.randrange(0xA1, 0xFF)) for _ in range(draw.randint(1, 3))]
+        taken += decoded(b"name: " + bytes(half for pair in pairs for half in pair)) is not None
+    assert taken <= 20
 
 
 def test_the_remark_goes_with_the_results(tmp_path: Path) -> None:

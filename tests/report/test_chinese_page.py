@@ -14,6 +14,7 @@ import pytest
 
 from linkwright.app import examine_file, export, perform
 from linkwright.model.yaml_text import read_text
+from linkwright.reductions import REDUCTIONS
 from linkwright.report import page
 from linkwright.report.build import report_data
 from linkwright.words import in_language
@@ -33,10 +34,13 @@ UNREAD = {"code", "pre", "script", "style"}
 ATTRIBUTES = {"alt", "aria-label", "aria-valuetext", "data-head", "placeholder", "title"}
 FREE = {"name", "note", "source"}
 """Free texts of a model file."""
-FORMAT = {"left", "right", "of", "ahead", "behind", "along", "min", "max", "at"}
-"""Words with which a model file states assembly modes and names outputs: ``C: left of B-D``, ``torque max``."""
+FORMAT = {"left", "right", "of", "ahead", "behind", "along"}
+"""Words with which a model file states assembly modes: ``C: left of B-D``."""
 WORD = re.compile(r"[A-Za-z]{2,}")
 RUN = re.compile(rf"(?<![\w.-]){WORD.pattern}(?: {WORD.pattern})+(?![\w-])")
+
+REDUCED = re.compile(rf"的 (?:{'|'.join(REDUCTIONS)})(?!\w)")
+"""A reduction as files have it, in a sentence: ``E.x 的 span``."""
 
 
 class Read(HTMLParser):
@@ -116,6 +120,7 @@ def test_no_sentence_of_a_page_is_english(name: str) -> None:
     texts = Read(html).texts
     assert len(texts) > 100
     assert english(texts, model_of(name)) == []
+    assert [text for text in texts if REDUCED.search(text)] == []
 
 
 def test_no_sentence_of_a_sheet_is_english() -> None:

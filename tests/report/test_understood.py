@@ -9,6 +9,7 @@ import pytest
 
 from helpers.compiled import compiled_from
 from helpers.examples import four_bar, slider_crank
+from helpers.heat_seal import heat_seal
 from linkwright.report import understood
 
 DEG = {"length": "mm", "angle": "deg", "mass": "kg", "time": "s", "force": "N", "torque": "N*m"}
@@ -34,12 +35,29 @@ def said(**law: Any) -> str:
             {"position": "10 + 60*t/(1 s)"},
             "position 10 + 60*t/(1 s), starts at 10 deg with 60 deg/s = 10 rpm",
         ),
-        ({"position": "10 + 1e-12*t/(1 s)"}, "position 10 + 1e-12*t/(1 s), starts at 10 deg with 0 deg/s"),
         ({"position": "10 + " + 30 * "0*" + "1"}, "position by its motion law, starts at 10 deg with 0 deg/s"),
     ],
 )
 def test_turning_drives(law: dict[str, Any], text: str) -> None:
     assert said(**law) == f"motor: crank on frame, {text}"
+
+
+@pytest.mark.parametrize(
+    ("position", "speed"),
+    [
+        ("30*cos(2*pi*t/(1 s))", "0 deg/s"),
+        ("30*sin(2*pi*t/(1 s) + pi/2)", "0 deg/s"),  # 2e-16 of its maximum speed
+        ("30 + 1e-9*t/(1 s)", "1e-09 deg/s = 1.66667e-10 rpm"),  # slow all the time
+        ("exp(50*t/(1 s))", "2864.79 deg/s = 477.465 rpm"),  # soon much faster
+    ],
+)
+def test_round_off_is_no_speed(position: str, speed: str) -> None:
+    assert said(position=position).endswith(f" with {speed}")
+
+
+def test_a_follower_that_begins_with_a_dwell_has_no_speed() -> None:
+    *_, text = map(str, understood.drives(compiled_from(heat_seal())))
+    assert text.endswith("starts at 140.725 deg with 0 deg/s")
 
 
 def test_slides_cylinders_and_outputs() -> None:

@@ -7,8 +7,7 @@ from pathlib import Path
 
 from linkwright import gallery
 from linkwright.expressions.unknown import near
-from linkwright.findings import Finding
-from linkwright.model.input_files import reason
+from linkwright.findings import Finding, reason
 from linkwright.model.output_files import write_aside
 from linkwright.words import language
 

@@ -16,8 +16,8 @@ import numpy as np
 
 from linkwright import _version
 from linkwright.blocks.work import Arrays
-from linkwright.findings import Finding, Joined, ModelError
-from linkwright.model.input_files import read_at_most, reason
+from linkwright.findings import Finding, Joined, ModelError, reason
+from linkwright.model.input_files import read_at_most
 from linkwright.model.output_files import refuse_link, write_aside
 
 FORMAT = 2

@@ -19,7 +19,7 @@ from linkwright.cli import terminal
 from linkwright.cli.consoles import err, out
 from linkwright.cli.progress import ProgressBar
 from linkwright.escape import json_text, line
-from linkwright.findings import Finding, Joined, Term
+from linkwright.findings import Finding, Joined, Term, reason
 from linkwright.report.structure_summary import facts
 from linkwright.studies.registry import STUDIES
 from linkwright.words import in_language, language, say
@@ -146,7 +146,7 @@ def modes(done: ModesJob) -> None:
 
 def cannot_write(folder: Path, error: OSError) -> None:
     """The folder can't be written to."""
-    finding(Finding("file.unwritable", data={"file": str(folder), "reason": error.strerror or str(error)}))
+    finding(Finding("file.unwritable", data={"file": str(folder), "reason": reason(error)}))
 
 
 def bench(done: Bench | None) -> None:

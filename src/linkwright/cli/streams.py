@@ -13,6 +13,7 @@ from pathlib import Path
 import click
 
 from linkwright.escape import line, visible
+from linkwright.findings import reason
 from linkwright.words import say
 
 CANNOT = 2
@@ -44,11 +45,10 @@ def read_or_not() -> Iterator[None]:
 
 def failed(error: OSError) -> int:
     """Tell in one line that the system refuses something, such as to print; gives the exit code."""
-    reason = error.strerror or str(error)
     if error.filename is not None:
-        text = say("cli.system-file", file=error.filename, reason=reason)
+        text = say("cli.system-file", file=error.filename, reason=reason(error))
     else:
-        text = say("cli.system-output" if error.errno in FULL else "cli.system", reason=reason)
+        text = say("cli.system-output" if error.errno in FULL else "cli.system", reason=reason(error))
     with suppress(OSError):
         click.echo(line(text), err=True)
     _discard()

@@ -31,6 +31,8 @@ _OF_MECHANISMS = frozenset(
 )
 _LEAST, _LEAST_SHARE = 3, 0.3
 """So many of the Chinese characters must be :data:`_OF_MECHANISMS`; of any 20, about one is."""
+_FEW, _LEAST_OF_FEW = 3, 2
+"""Of a word that is this short, fewer need be."""
 
 
 class Decoded(NamedTuple):
@@ -75,7 +77,8 @@ def _chinese(raw: bytes, text: str) -> bool:
     """Whether a text that can be read as GBK is surely Chinese."""
     characters = _HANZI.findall(text)
     known = sum(character in _OF_MECHANISMS for character in characters)
-    return bool(_PAIRS.fullmatch(raw)) and known >= max(_LEAST, _LEAST_SHARE * len(characters))
+    least = _LEAST if len(characters) > _FEW else _LEAST_OF_FEW
+    return bool(_PAIRS.fullmatch(raw)) and known >= max(least, _LEAST_SHARE * len(characters))
 
 
 def _common(raw: bytes) -> float:

@@ -12,7 +12,7 @@ import sys
 from functools import cache
 from pathlib import Path
 
-from linkwright.findings import Finding, ModelError, Term
+from linkwright.findings import Finding, ModelError, Term, reason
 
 MAX_BYTES = 20_000_000
 """The most that is read of a file that a model names."""
@@ -76,8 +76,3 @@ def read_beside(name: str, folder: Path | None, path: tuple[str | int, ...]) -> 
     if len(content) > MAX_BYTES:
         raise ModelError([Finding("table.too-large", path, {"file": name, "limit": f"{MAX_BYTES:,}"})])
     return content
-
-
-def reason(error: Exception) -> str:
-    """Why the system refuses, in its own words."""
-    return (error.strerror if isinstance(error, OSError) else None) or str(error)

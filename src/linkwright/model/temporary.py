@@ -7,8 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from linkwright.findings import Finding, ModelError
-from linkwright.model.input_files import reason
+from linkwright.findings import Finding, ModelError, reason
 
 
 @contextmanager

@@ -16,9 +16,10 @@ from linkwright.expressions.fields import Expression, Frozen, Name, fault
 from linkwright.expressions.typed_fields import Context, Ends, Quantity, Ref, Scope
 from linkwright.expressions.units import Dimension, UnitError, unit
 from linkwright.expressions.written import Fault, FrozenDict, short_text
-from linkwright.findings import Joined, Said
+from linkwright.findings import Joined, Said, Text
 from linkwright.notation.registry import Registry
 from linkwright.plugins import load
+from linkwright.words import LANGUAGES, catalogue
 
 
 def _unit(raw: Any) -> str:
@@ -120,10 +121,16 @@ class Measure(Frozen):
         return self.signal.text
 
     @property
+    def title(self) -> Text:
+        """The name of the reduction for the reader; as files have it where a package brings no text."""
+        key = f"reduction.{self.reduction}"
+        return Said(key) if key in catalogue(LANGUAGES[0]) else self.reduction
+
+    @property
     def description(self) -> Said:
         """What is asked for, for the reader."""
         key = "measure.text.window" if self.window else "measure.text"
-        return Said(key, reduction=self.reduction, signal=self.subject, window=self.window)
+        return Said(key, reduction=self.title, signal=self.subject, window=self.window)
 
     def implied_expressions(self, mechanism: Any, name: str) -> Iterator[Use]:
         """The expressions that no field holds, of a measure of that name."""

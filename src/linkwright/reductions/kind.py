@@ -46,7 +46,8 @@ class MeasureKind(ABC):
     still: ClassVar[bool] = False
     """Whether its bound holds only where clearances don't move the window."""
     words: ClassVar[Mapping[str, Mapping[str, str]]] = {}
-    """Texts that the catalogue lacks, by language and key; of a label ``measure.LABEL``."""
+    """Texts that the catalogue lacks, by language and key; of a label ``measure.LABEL``, of the reduction's
+    name ``reduction.NAME`` where it isn't shown as files have it."""
 
     @property
     def name(self) -> str:

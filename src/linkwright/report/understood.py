@@ -18,8 +18,10 @@ from linkwright.model.plausible import amount
 
 LONGEST = 60
 """The text of a longer law isn't shown."""
-ROUND_OFF = 1e-12
-"""A value of a law (SI) or a rate below this is zero but for round-off."""
+ROUND_OFF = 1e-13
+"""A speed this small relative to those of its law is round-off: it is 0."""
+INSTANTS = 73
+"""So many instants of a revolution show how fast a follower is."""
 
 
 def drives(compiled: Compiled) -> list[Said]:
@@ -76,8 +78,8 @@ def _motion(compiled: Compiled, name: str) -> Said:
     q, turning = compiled.quantities, bool(compiled.mechanism.prescribed(name).turns)
     value, rate, change = (u.ANGLE, u.OMEGA, u.ALPHA) if turning else (u.LENGTH, u.SPEED, u.ACCELERATION)
     at = [float(np.asarray(d).flat[0]) for d in compiled.laws[name](np.zeros(1)).d[:3]]
-    at = [0.0 if abs(part) < ROUND_OFF else part for part in at]
-    said = {"start": amount(q, at[0], value), "speed": _speed(compiled, at[1], rate)}
+    speed = at[1] if abs(at[1]) > ROUND_OFF * _speed_scale(compiled, name, at) else 0.0
+    said = {"start": amount(q, at[0], value), "speed": _speed(compiled, speed, rate)}
     if (follower := compiled.mechanism.followers.get(name)) is not None:
         laws = Joined(follower.laws.values())
         return Said("fact.law.follower", law=laws, **said) if laws else Said("fact.law.given", **said)
@@ -92,6 +94,17 @@ def _motion(compiled: Compiled, name: str) -> Said:
     if turning:
         return Said("fact.law.turning", period=amount(q, 2 * math.pi / abs(at[1]), u.TIME), **said)
     return Said("fact.law.constant", **said)
+
+
+def _speed_scale(compiled: Compiled, name: str, at: list[float]) -> float:
+    """A speed of the size that a law has, from its value, speed and acceleration at the start; of a follower, which may
+    begin with a dwell, the maximum speed over a revolution of its motor."""
+    scale = math.sqrt(abs(at[0] * at[2]))
+    if (follower := compiled.mechanism.followers.get(name)) is None:
+        return scale
+    turning = abs(float(np.asarray(compiled.laws[follower.motor](np.zeros(1)).d[1]).flat[0]))
+    t = np.linspace(0.0, 2 * math.pi / turning if turning else 0.0, INSTANTS)
+    return float(np.fmax.reduce(np.abs(np.ravel(compiled.laws[name](t).d[1])), initial=scale))
 
 
 def _speed(compiled: Compiled, speed: float, rate: Dimension) -> str:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.units import Dimension
+from linkwright.findings import Said, Text
 from linkwright.kernels import Compiled
 from linkwright.kernels.parameter_batch import Varied
 from linkwright.measures import BoundMeasure
@@ -29,11 +30,20 @@ class FigureColumn:
     dimension: Dimension
     unit: str
     size: float
+    placed: Said | None = None
+    """What is shown for a signal at a position."""
 
     @property
     def name(self) -> str:
-        """How it is called in tables."""
+        """How files call it."""
         return " ".join(filter(None, (self.measure, self.label)))
+
+    @property
+    def title(self) -> Text:
+        """How it is called where it is shown."""
+        if self.label:
+            return Said("measure.figure", name=self.measure, label=Said(f"measure.{self.label}"))
+        return self.placed or self.measure
 
     def variable(self, values: Array) -> Variable:
         """Its values (samples,) for a file."""

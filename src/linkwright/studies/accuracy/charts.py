@@ -91,7 +91,7 @@ def _contributions(curve: SignalDeviations, outcome: AccuracyOutcome) -> Chart:
 
 def _pareto(figure: OutputDeviations, outcome: AccuracyOutcome) -> Chart | None:
     """A bar for the share of each contributor in the variance, and the line of their sum."""
-    title = Said("accuracy.chart.pareto", name=figure.name)
+    title = Said("accuracy.chart.pareto", name=figure.title)
     first = ranked(figure)[:MOST_BARS]
     shares = 100 * np.nan_to_num(figure.shares[first])
     if not shares.any():
@@ -127,19 +127,19 @@ def _histogram(figure: OutputDeviations, found: MonteCarlo) -> Chart:
     axes = Axes(
         (min(edges[0], limits[0]), max(edges[-1], limits[1])),
         (0.0, top),
-        named(figure.name, figure.column.unit),
+        named(figure.title, figure.column.unit),
     )
     shapes = axes.bars(edges, counts)
     if curve.size:
         shapes.append(axes.line(x, curve, "normal"))
     shapes += [axes.line(np.full(2, limit), np.array([0.0, top]), "limit") for limit in limits]
-    title = Said("accuracy.chart.histogram", name=figure.name)
+    title = Said("accuracy.chart.histogram", name=figure.title)
     return Chart(title, partial(axes.drawing, shapes, title))
 
 
 def _convergence(figure: OutputDeviations, found: MonteCarlo, row: str) -> Chart | None:
     """Mean or standard deviation over the number of samples, with what RSS says and the interval of confidence."""
-    title = Said(f"accuracy.chart.convergence.{row}", name=named(figure.name, figure.column.unit))
+    title = Said(f"accuracy.chart.convergence.{row}", name=named(figure.title, figure.column.unit))
     if len(found.convergence) < 2:
         return None
     rows = found.convergence

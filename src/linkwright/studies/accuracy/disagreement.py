@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.findings import Said
+from linkwright.findings import Said, Text
 from linkwright.presentation.json_numbers import known
 from linkwright.studies.accuracy.outcome import AccuracyOutcome, OutputDeviations, SignalDeviations
 
@@ -36,7 +36,7 @@ class Disagreement:
         """The same as plain data."""
         return asdict(self)
 
-    def sentence(self, name: str) -> Said | None:
+    def sentence(self, name: Text) -> Said | None:
         """What to say of it; ``None`` where the two agree."""
         if not self.parted:
             return None

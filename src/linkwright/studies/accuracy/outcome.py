@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.units import Dimension
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Text
 from linkwright.kernels import Compiled
 from linkwright.results import Result, Run
 from linkwright.studies.accuracy.contributors import Contributors
@@ -104,8 +104,13 @@ class OutputDeviations:
 
     @property
     def name(self) -> str:
-        """How it is called."""
+        """How files call it."""
         return self.column.name
+
+    @property
+    def title(self) -> Text:
+        """How it is called where it is shown."""
+        return self.column.title
 
     @property
     def half(self) -> float:

@@ -62,18 +62,18 @@ def _outputs(outcome: AccuracyOutcome) -> Iterator[list[Block]]:
 def _remarks(figure: OutputDeviations, outcome: AccuracyOutcome, brief: bool = False) -> Iterable[Text]:
     """What is to be known of a figure; ``brief``, only what is amiss."""
     found, size = figure.searched, figure.column.size
-    if (parted := disagreement(figure, outcome)) and (text := parted.sentence(figure.name)):
+    if (parted := disagreement(figure, outcome)) and (text := parted.sentence(figure.title)):
         yield text
     if found is not None and not (brief and found.off <= outcome.options.nonlinear):
         key = "accuracy.searched" if found.proven else "accuracy.searched.bound"
         ends = {"low": deviation(found.low / size, figure), "high": deviation(found.high / size, figure)}
-        yield Said(key, name=figure.name, off=percent(found.off, 3), unit=Unit(figure.column.unit), **ends)
+        yield Said(key, name=figure.title, off=percent(found.off, 3), unit=Unit(figure.column.unit), **ends)
     if brief:
         return
     if figure.time is not None:
         yield Said("accuracy.at", time=moment(figure.time, outcome))
     if figure.tie:
-        yield Said("accuracy.tie", name=figure.name)
+        yield Said("accuracy.tie", name=figure.title)
 
 
 def _along(curve: SignalDeviations, outcome: AccuracyOutcome) -> Iterable[Text]:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
-from linkwright.findings import Finding, ModelError
+from linkwright.findings import Finding, ModelError, Said
 from linkwright.kernels import Compiled
 from linkwright.kernels.manufactured_cam import with_cut_cams
 from linkwright.kernels.parameter_batch import Varied
@@ -162,5 +163,7 @@ def _place(outcome: AccuracyOutcome, every: Mapping[str, OutputDeviations], plac
             outcome.curves[signal.text].figure = figure
             valued.add(signal.text)
         else:
+            title = Said("measure.placed", signal=signal.text, position=signal.position)
+            figure.column = replace(figure.column, placed=title)
             outcome.curves[signal.text].positions[signal.position] = figure
     outcome.curves = {text: curve for text, curve in outcome.curves.items() if text in valued}

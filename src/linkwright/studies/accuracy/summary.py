@@ -85,7 +85,7 @@ def _output(figure: OutputDeviations, outcome: AccuracyOutcome) -> dict[str, Any
         "contributors": [_contribution(figure, i, outcome) for i in ranked(figure)],
     }
     parted = disagreement(figure, outcome)
-    sentence = parted and parted.sentence(figure.name)
+    sentence = parted and parted.sentence(figure.title)
     return entry | {"disagreement": parted and {**parted.as_dict(), "sentence": sentence}}
 
 

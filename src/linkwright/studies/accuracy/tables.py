@@ -33,15 +33,15 @@ def further(outcome: AccuracyOutcome) -> list[Table]:
     return [_correlations(outcome), _play(outcome), _joints(outcome), *design]
 
 
-def _places(outcome: AccuracyOutcome) -> Iterator[tuple[str, Text, OutputDeviations]]:
+def _places(outcome: AccuracyOutcome) -> Iterator[tuple[Text, Text, OutputDeviations]]:
     """Each output, the name of a position, and the figure there."""
-    yield from ((name, "", figure) for name, figure in outcome.figures.items())
+    yield from ((figure.title, "", figure) for figure in outcome.figures.values())
     for text, curve in outcome.curves.items():
         yield text, Said("accuracy.widest"), curve.figure
         yield from ((text, name, figure) for name, figure in curve.positions.items())
 
 
-def _line(name: str, position: Text, figure: OutputDeviations, outcome: AccuracyOutcome) -> list[Cell]:
+def _line(name: Text, position: Text, figure: OutputDeviations, outcome: AccuracyOutcome) -> list[Cell]:
     first = [(outcome.contributors.every[i].name, float(figure.shares[i])) for i in ranked(figure)[:FIRST]]
     told = Joined(f"{name} {percent(share, 2)}" for name, share in first if share > 0)
     ranges = (_range(ends, figure) for ends in _totals(figure).values())
@@ -92,7 +92,7 @@ def review(figure: OutputDeviations, outcome: AccuracyOutcome) -> Table:
         )
     for key, ends in _totals(figure).items():
         rows.append([_head(key, outcome), _nominal(figure), *[""] * 4, _range(ends, figure, unit)])
-    return _table("review", heads, rows, outcome, figure.name)
+    return _table("review", heads, rows, outcome, figure.title)
 
 
 def review_text(figure: OutputDeviations, outcome: AccuracyOutcome) -> str:
@@ -162,7 +162,7 @@ _LOST = (("low", "from"), ("high", "to"))
 
 
 def _table(
-    name: str, heads: Iterable[str], rows: Sequence[Sequence[Cell]], outcome: AccuracyOutcome, of: str = ""
+    name: str, heads: Iterable[str], rows: Sequence[Sequence[Cell]], outcome: AccuracyOutcome, of: Text = ""
 ) -> Table:
     return table("accuracy", name, [_head(head, outcome) for head in heads], rows, output=of)
 

@@ -61,10 +61,10 @@ def _band(outcome: SweepOutcome, text: str, centred: bool = False) -> Chart:
 
 def _histogram(found: Statistics) -> Chart:
     edges, counts = found.edges / found.column.size, found.counts
-    title = named(found.column.name, found.column.unit)
+    title = named(found.column.title, found.column.unit)
     axes = Axes((float(edges[0]), float(edges[-1])), (0.0, float(max(counts.max(), 1))), title)
     bars = axes.bars(edges, counts.astype(float))
-    return Chart(Said("sweep.chart.histogram", name=found.column.name), partial(axes.drawing, bars, title))
+    return Chart(Said("sweep.chart.histogram", name=found.column.title), partial(axes.drawing, bars, title))
 
 
 def _over(outcome: SweepOutcome, index: int) -> list[Chart]:
@@ -84,6 +84,6 @@ def _over(outcome: SweepOutcome, index: int) -> list[Chart]:
     some = known[thinned(known.size, MOST_DOTS)]
     x, y = table.parameters[best, some] / size, table.figures[index, some] / column.size
     axes = Axes((float(x.min()), float(x.max())), (float(y.min()), float(y.max())), named(name, unit))
-    title = Said("sweep.chart.over", name=named(column.name, column.unit), parameter=name)
+    title = Said("sweep.chart.over", name=named(column.title, column.unit), parameter=name)
     radius = 2.5 if some.size < 200 else 1.5
     return [Chart(title, partial(axes.drawing, axes.dots(x, y, radius), title))]

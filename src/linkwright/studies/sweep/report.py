@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from linkwright.findings import Said
+from linkwright.findings import Said, Text
 from linkwright.presentation.blocks import Block, Charts, Section, Sentences, StudyReport, Table, table
 from linkwright.presentation.cells import NumberCell, Numbers, Unit, percent
 from linkwright.presentation.json_numbers import known
@@ -95,9 +95,14 @@ def tables(outcome: SweepOutcome, entry: dict[str, Any]) -> list[Table]:
     if not outcome.performed:
         return []
 
+    titles: dict[str, Text] = {found.column.name: found.column.title for found in outcome.measures}
+
     def numbers(name: str, head: str, *keys: str) -> Table:
         """A table of figures with their units."""
-        rows = [[key, *(NumberCell(e.get(k), 6) for k in keys), Unit(e["unit"])] for key, e in entry[name].items()]
+        rows = [
+            [titles.get(key, key), *(NumberCell(e.get(k), 6) for k in keys), Unit(e["unit"])]
+            for key, e in entry[name].items()
+        ]
         return table("sweep", name, (head, *keys, "unit"), rows)
 
     shares = [[name, e["require"], percent(e["share"]), _interval(e)] for name, e in entry["require"].items()]

@@ -1,6 +1,17 @@
 """Phrases that are inserted into the texts of problems."""
 
 TERMS: dict[str, str] = {
+    # Why the system refuses.
+    "system-enoent": "No such file or directory",
+    "system-eacces": "Permission denied",
+    "system-eperm": "Operation not permitted",
+    "system-eisdir": "Is a directory",
+    "system-enotdir": "Not a directory",
+    "system-eexist": "File exists",
+    "system-enospc": "No space left on device",
+    "system-erofs": "Read-only file system",
+    "system-enametoolong": "File name too long",
+    "system-ebusy": "Device or resource busy",
     # What is expected where something else is given.
     "expression": "a number or an expression",
     "plain": "a number, a text, true, false, a list or a mapping",

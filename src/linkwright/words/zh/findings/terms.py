@@ -1,6 +1,17 @@
 """Phrases that are inserted into the texts of problems."""
 
 TERMS: dict[str, str] = {
+    # Why the system refuses.
+    "system-enoent": "没有该文件或文件夹",
+    "system-eacces": "权限不足",
+    "system-eperm": "不允许此操作",
+    "system-eisdir": "这是文件夹",
+    "system-enotdir": "不是文件夹",
+    "system-eexist": "文件已存在",
+    "system-enospc": "存储空间不足",
+    "system-erofs": "文件系统为只读",
+    "system-enametoolong": "文件名过长",
+    "system-ebusy": "设备或文件正被占用",
     # What is expected where something else is given.
     "expression": "数值或表达式",
     "plain": "数值、文本、true、false、列表或映射",
