@@ -102,7 +102,9 @@ class Value(MeasureKind):
 
     def run_figures(self, run: InRun) -> tuple[FoundFigure, ...]:
         time, grade = _instant(run)
-        return (FoundFigure("", *run.value_at(time), grade),)
+        peak = run.value_at(time)
+        place = peak.time if run.measure.also else _edge(run)  # an end was moved off a jump there
+        return (FoundFigure("", peak.value, place, peak.side, grade),)
 
     def needed_extremes(self, measure: ValueEntry) -> Sequence[tuple[str, float]] | None:
         kind = measure.instant.kind
@@ -132,7 +134,12 @@ def _instant(run: InRun) -> tuple[float, Grade]:
     if run.measure.also:
         other = run.other("where")
         return (other.top() if kind == "max" else other.bottom()).time, run.searched
-    return run.inner(run.intervals[-1][1], 0) if kind == "end" else run.inner(run.intervals[0][0], 1), SAMPLED
+    return run.inner(_edge(run), int(kind == "start")), SAMPLED
+
+
+def _edge(run: InRun) -> float:
+    """The end of the intervals (s) at which a value is taken."""
+    return run.intervals[-1][1] if run.measure.instant.kind == "end" else run.intervals[0][0]
 
 
 def _moving(found: WithDeviations) -> tuple[float, Array]:
@@ -143,6 +150,6 @@ def _moving(found: WithDeviations) -> tuple[float, Array]:
         here = found.values_at([time], "where")
         return time, np.asarray(-here.slope[0, :, 0] / here.rate[0, 0])
     if not run.measure.also:  # the end itself, on whichever side of a jump
-        time = run.intervals[-1][1] if kind == "end" else run.intervals[0][0]
+        time = _edge(run)
     moves = found.moves(time)
     return time, found.turns(time, "where") if moves is None else moves
