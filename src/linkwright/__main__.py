@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import sys
 
 from linkwright.interrupts import end, install
@@ -9,6 +10,7 @@ from linkwright.interrupts import end, install
 
 def main() -> None:
     """The program ``linkwright``."""
+    gc.set_threshold(50_000, 20, 100)  # nearly all objects of a run stay: looking for garbage takes a twentieth of it
     try:
         install()
         from linkwright.cli import main as carry_out
