@@ -1,4 +1,4 @@
-"""A program as a WebAssembly module, written byte by byte: about twice as fast as JavaScript, to the same bits.
+"""A program as a WebAssembly module, written byte by byte: the same functions as in JavaScript, to the same bits.
 
 The module imports nothing. It exports its ``memory``; the address ``free`` of the first byte there that it leaves to
 its caller; ``parameters(p)``, which computes what depends on the parameters alone; ``pose(x, out)``; and
