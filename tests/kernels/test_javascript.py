@@ -19,7 +19,7 @@ from helpers.programs import EVERY, every_operation, nested, rows_of
 from linkwright.compilation import compile_mechanism
 from linkwright.graph.program import Program
 from linkwright.kernels import javascript_source
-from linkwright.kernels.javascript_code import WORDS, name_of
+from linkwright.kernels.javascript_code import name_of
 from linkwright.kernels.javascript_source import LONGEST, javascript, labels
 from linkwright.kernels.recorded_code import decimal
 from linkwright.model.document import load
@@ -112,4 +112,3 @@ def test_an_error_of_the_text_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(javascript_source, "MATH", "const{sqrt:Q}=Math;")
     with pytest.raises(AssertionError, match="Z is not defined"):
         JavaScript(rows_of(lambda x, p: ca.fabs(x))).run(np.ones((1, 1)), np.ones(1))
-    assert "fabs" in WORDS
