@@ -17,6 +17,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 
+from helpers.emitted import RUNNERS, Runner
 from linkwright.graph.program import ExpressionStage, Program
 from linkwright.kernels.elementary import FARTHEST, FUNCTIONS
 from linkwright.kernels.llvm_entries import text
@@ -143,14 +144,17 @@ CALLED = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan
 
 
 @cache
-def compiled(name: str, way: str) -> LlvmKernel | PoseFunction:
-    """The function as written by the LLVM emitter: over vectors, or of one pose."""
-    pytest.importorskip("llvmlite", reason="compiled functions need llvmlite")
+def compiled(name: str, way: str) -> LlvmKernel | PoseFunction | Runner:
+    """The function as written by the LLVM emitter: over vectors, or of one pose; or for another machine."""
+    if way not in RUNNERS:
+        pytest.importorskip("llvmlite", reason="compiled functions need llvmlite")
     x = ca.SX.sym("x", operands(name))
     code = next(each.codes[0] for each in OPERATIONS.values() if each.name in (name, CALLED.get(name)))
     row = ca.SX.unary(code, x[0]) if operands(name) == 1 else ca.SX.binary(code, x[0], x[1])
     stage = ExpressionStage(ca.Function("one", [x, ca.SX(0, 1)], [row]))
     program = Program((), stage, ("x", "y")[: operands(name)], (), (name,))
+    if way in RUNNERS:
+        return RUNNERS[way](program)
     return LlvmKernel(program) if way == "vector" else PoseFunction(program)
 
 
@@ -163,7 +167,7 @@ def results(way: str, name: str, arguments: Any) -> Any:
     if way == "python":
         return np.array([FUNCTIONS[name](*map(float, point)) for point in arguments.T])
     made = compiled(name, way)
-    if isinstance(made, LlvmKernel):
+    if isinstance(made, LlvmKernel | Runner):
         return made.run(np.ascontiguousarray(arguments), np.zeros(0))[0]
     return np.array([made(point, np.zeros(0))[0] for point in arguments.T])
 
@@ -224,10 +228,11 @@ def test_nan_stays(name: str, way: str) -> None:
 
 @pytest.mark.parametrize("name", CASES)
 def test_all_ways_give_the_same_bits(name: str) -> None:
-    """Python, vectors of any lanes, one pose: but for the bits of NaN and the sign of zero."""
+    """Python, vectors of any lanes, one pose, other machines: but for the bits of NaN and the sign of zero."""
     ends = np.array(CASES[name].edges).T[:-1]
     arguments = np.concatenate([exact(name, SORT)[0][:, ::9], ends], axis=1)
-    python, *others = (results(way, name, arguments) + 0.0 for way in WAYS)
+    elsewhere = [way for way, runner in RUNNERS.items() if runner.available()]
+    python, *others = (results(way, name, arguments) + 0.0 for way in [*WAYS, *elsewhere])
     for found in others:
         np.testing.assert_array_equal(found, python)
         assert found[~np.isnan(found)].tobytes() == python[~np.isnan(python)].tobytes()

@@ -15,12 +15,12 @@ import numpy as np
 import pytest
 
 from helpers.compiled import compiled_of, conditioning
-from helpers.kernels import every
+from helpers.emitted import EMITTERS, every_emitter
 from helpers.random_mechanisms import DURATION, RECIPES, Seeded, build
 from linkwright.compilation import compile_mechanism
 from linkwright.graph.program import Program
 from linkwright.graph.rows import determinants
-from linkwright.kernels import KERNELS, Compiled
+from linkwright.kernels import Compiled
 from linkwright.model.document import load
 from linkwright.studies.cycle.options import CycleOptions, span
 
@@ -31,7 +31,7 @@ FOLDER = Path(__file__).parents[2] / "examples"
 STRUCTURES = ("bracket",)
 """Examples without a motion."""
 EXAMPLES = [p for p in sorted(FOLDER.glob("*.yaml")) if not p.stem.endswith(REPEATS) and p.stem not in STRUCTURES]
-COMPILED = [kernel for kernel in every() if kernel.values != ("numpy",)]
+COMPILED = [kernel for kernel in every_emitter() if kernel.values != ("numpy",)]
 CHOSEN = ("cam_linkage", "class_four", "conjugate_cam", "jansen_leg", "sauer_platform", "scotch_yoke", "tailgate")
 """Examples whose programs have all that those of the others have: compiling takes seconds each."""
 REGULAR = 1e-3
@@ -72,7 +72,7 @@ def of_example(path: Path, rates: bool = True) -> Case:
 
 def agrees(kernel: str, case: Case) -> None:
     program, x, p, expected, bounds = case
-    found = KERNELS[kernel](program).run(x, p)
+    found = EMITTERS[kernel](program).run(x, p)
     unknown = np.isnan(expected)
     assert np.array_equal(np.isnan(found), unknown)
     assert not unknown.all()
@@ -126,7 +126,7 @@ def of_recipe(recipe: str) -> Case:
     raise AssertionError(recipe)
 
 
-@pytest.mark.parametrize("kernel", every())
+@pytest.mark.parametrize("kernel", every_emitter())
 @pytest.mark.parametrize("recipe", RECIPES)
 def test_on_random_mechanisms(kernel: str, recipe: str) -> None:
     agrees(kernel, of_recipe(recipe))

@@ -9,14 +9,14 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import casadi as ca
 import numpy as np
 import pytest
 
 from helpers.compiled import compiled_from
 from helpers.examples import heavy_four_bar
+from helpers.programs import EVERY, rows_of
 from linkwright.compilation import compile_mechanism
-from linkwright.graph.program import ExpressionStage, Program
+from linkwright.graph.program import Program
 from linkwright.kernels import Compiled
 from linkwright.kernels.llvm_entries import text
 from linkwright.kernels.llvm_kernel import PAST, LlvmKernel, PoseFunction
@@ -192,26 +192,6 @@ def test_newton_in_the_kernel(name: str) -> None:
     over, twin = kernel.over(x[:, 10:], both), plain.over(x[:, 10:], both)
     assert np.array_equal(over[:, 0], found[:, 10:])
     assert np.abs((over - twin) / scale[:, None]).max() < 1e-12
-
-
-def rows_of(*expressions: Any) -> Program:
-    """A program of the given rows of one input and one parameter, written with CasADi."""
-    x, p = ca.SX.sym("x", 1), ca.SX.sym("p", 1)
-    block = ExpressionStage.from_rows(x, p, [expression(x, p) for expression in expressions])
-    return Program((), block, ("x",), ("p",), tuple(f"y{i}" for i in range(len(expressions))))
-
-
-EVERY = [
-    lambda x, p: (-2.5) ** x, lambda x, p: x**3, lambda x, p: x ** (-2), lambda x, p: ca.fabs(x) ** 0.5,
-    lambda x, p: ca.fabs(x) ** p, lambda x, p: x**1.5, lambda x, p: 2.0 - (-3.0) * x, lambda x, p: -x / (p - x),
-    lambda x, p: ca.sin(x) + ca.cos(x) * ca.tan(x), lambda x, p: ca.asin(x / 9) + ca.acos(x / 9) * ca.atan(x),
-    lambda x, p: ca.atan2(x, p), lambda x, p: ca.exp(x) + ca.log(ca.fabs(x)), lambda x, p: ca.sign(x) * ca.floor(x),
-    lambda x, p: ca.fmin(x, p) + ca.fmax(x, 2 * p), lambda x, p: ca.hypot(x, p), lambda x, p: ca.copysign(p, x),
-    lambda x, p: ca.if_else(x < p, x, -p), lambda x, p: ca.if_else(ca.logic_and(x <= p, x > -p), x * x, p),
-    lambda x, p: ca.if_else(ca.logic_or(x == p, x != 1.0), 1.0, 0.0) + ca.logic_not(x > 0),
-    lambda x, p: x, lambda x, p: p, lambda x, p: ca.SX(7.25), lambda x, p: 2 * x, lambda x, p: 1 / x,
-    lambda x, p: p * p,
-]  # fmt: skip
 
 
 @pytest.mark.parametrize("form", ["run", "each", "over"])

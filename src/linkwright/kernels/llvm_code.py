@@ -6,6 +6,9 @@ No flag lets the compiler fuse, reorder or approximate: the figures of a lane ar
 from __future__ import annotations
 
 import struct
+from collections.abc import Sequence
+
+from linkwright.kernels.straight_line import BITS, written_out
 
 _INTRINSIC = "call {t} @llvm.{name}.{suffix}({t} {0})"
 _WORDS: dict[str, str] = {
@@ -17,14 +20,8 @@ _WORDS: dict[str, str] = {
     "select": "select {b} {0}, {t} {1}, {t} {2}",
 }  # fmt: skip
 """The primitive operations that are one instruction, of a type t of numbers and b of conditions."""
-_BITS: dict[str, tuple[tuple[str, int], ...]] = {
-    "power_of_two": (("add", 1023), ("shl", 52)),
-    "binary_exponent": (("add", 0x95F619980C433), ("lshr", 52), ("or", 0x4330000000000000)),
-    "binary_fraction": (("add", 0x95F619980C433), ("and", 0xFFFFFFFFFFFFF), ("add", 0x3FE6A09E667F3BCD)),
-}
-"""Those that change a number's bits: integer operations with constants (see :mod:`linkwright.kernels.elementary`)."""
-_TAKEN = {"power_of_two": 0.0, "binary_exponent": 4503599627371519.0, "binary_fraction": 1.0}
-"""What is taken away afterwards."""
+_BIT_WORDS = {"add": "add", "and": "and", "or": "or", "shift left": "shl", "shift right": "lshr"}
+"""The operations of :data:`straight_line.BITS`."""
 INTRINSICS = ("sqrt", "fabs", "floor")
 
 
@@ -54,10 +51,11 @@ class LlvmCode:
     def do(self, primitive: str, *operands: str) -> str:
         key = primitive, *operands
         if key not in self._known:
-            self._known[key] = (
-                self._bits(primitive, *operands) if primitive in _BITS else self._one(primitive, operands)
-            )
+            self._known[key] = self._bits(primitive, *operands) if primitive in BITS else self._one(primitive, operands)
         return self._known[key]
+
+    def function(self, name: str, operands: Sequence[str]) -> str:
+        return written_out(self, name, operands)
 
     def name(self, text: str) -> str:
         """Write an instruction under a new name."""
@@ -90,9 +88,9 @@ class LlvmCode:
 
     def _bits(self, primitive: str, operand: str) -> str:
         held = self.name(f"bitcast {self.t} {operand} to {self.i}")
-        for change, by in _BITS[primitive]:
+        changes, taken = BITS[primitive]
+        for change, by in changes:
             other = str(by) if self.width == 1 else "<" + ", ".join([f"i64 {by}"] * self.width) + ">"
-            held = self.name(f"{change} {self.i} {held}, {other}")
+            held = self.name(f"{_BIT_WORDS[change]} {self.i} {held}, {other}")
         made = self.name(f"bitcast {self.i} {held} to {self.t}")
-        taken = _TAKEN[primitive]
         return self.do("subtract", made, self.number(taken)) if taken else made

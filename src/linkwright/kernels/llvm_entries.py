@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from linkwright.kernels.division import OWN, SCALAR, SHARED
 from linkwright.kernels.listing import X
 from linkwright.kernels.llvm_code import INTRINSICS
-from linkwright.kernels.llvm_source import OWN, SCALAR, SHARED, KernelSource
+from linkwright.kernels.llvm_source import KernelSource
 
 STORED = 8
 """Numbers of one store past the cache: a line of it."""

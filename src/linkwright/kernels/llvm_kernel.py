@@ -24,7 +24,7 @@ PAST = 1 << 22
 
 @register
 class LlvmKernel:
-    """Runs a program as machine code. Each form (see :data:`llvm_source.FORMS`) is compiled when first asked for."""
+    """Runs a program as machine code. Each form (see :data:`division.FORMS`) is compiled when first asked for."""
 
     name: ClassVar[str] = "llvm"
     packages: ClassVar[tuple[str, ...]] = ("llvmlite",)

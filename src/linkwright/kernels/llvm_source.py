@@ -11,60 +11,20 @@ stored where it is known; instructions and registers are all that is left to cho
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Sequence
 
 from linkwright.graph.program import ACCEPTED, MOST_STEPS, SOLVED, NewtonStage, Program
+from linkwright.kernels.division import FORMS, ORDER, OWN, SCALAR, SHARED, Division, Rows
 from linkwright.kernels.listing import Listing, P, Value, X
 from linkwright.kernels.llvm_code import LlvmCode
 from linkwright.kernels.machine_code import Machine
-from linkwright.kernels.operations import operation
-from linkwright.kernels.straight_line import newton_step, whole_power, written
+from linkwright.kernels.straight_line import newton_step
 
 LANES = (128, 64, 32)
 CACHED = 6000
 """Numbers for which a core's first cache has room: the more rows a program has, the fewer lanes a block gets."""
 LONGEST = 400
 """The most instructions of one function: the compiler's time grows faster than its length."""
-
-SCALAR, SHARED, OWN = "scalar", "shared", "own"
-FORMS = {
-    "apart": {0: SCALAR, X: OWN, P: SCALAR, X | P: OWN},
-    "each": {0: SCALAR, X: OWN, P: OWN, X | P: OWN},
-    "over": {0: SCALAR, X: SHARED, P: SCALAR, X | P: OWN},
-}
-"""Where a value is computed, by what it depends on: once a sample; for each pose, once for all samples; for both.
-
-apart: inputs of each sample and pose, parameters of each sample; each: both of each pose; over: inputs of each pose,
-parameters of each sample."""
-Key = tuple[str, int] | tuple[str, str, int]
-
-
-@dataclass
-class _Rows:
-    """Numbered places of rows or scalars; those given back are used again."""
-
-    places: dict[Key, int] = field(default_factory=dict)
-    free: list[int] = field(default_factory=list)
-    count: int = 0
-
-    def __getitem__(self, key: Key) -> int:
-        if key not in self.places:
-            if not self.free:
-                self.free.append(self.count)
-                self.count += 1
-            self.places[key] = self.free.pop()
-        return self.places[key]
-
-    def run(self, keys: Iterable[Key]) -> int:
-        """New places for some keys, side by side; the first of them."""
-        first = self.count
-        for key in keys:
-            self.places[key], self.count = self.count, self.count + 1
-        return first
-
-    def release(self, key: Key) -> None:
-        self.free.append(self.places.pop(key))
 
 
 class KernelSource:
@@ -76,7 +36,7 @@ class KernelSource:
         solved = frozenset(row for stage in program.solves for row in stage.rows)
         main = Listing(program.block, solved)
         listings = [Listing(stage.closure, solved) for stage in program.solves]
-        self.rows, self.scalars = _Rows(), _Rows()
+        self.rows, self.scalars = Rows(), Rows()
         self.text: list[str] = []
         inputs, parameters = program.used
         # What samples share first, so that it can be loaded apart from the starts of Newton.
@@ -177,51 +137,23 @@ class _Block:
 
     def __init__(self, source: KernelSource, tag: str, listing: Listing, out: str) -> None:
         self.source, self.tag, self.listing, self.out = source, tag, listing, out
-        self.places = [source.form[needs] for needs in listing.needs]
-        self.chunks: dict[str, list[list[int]]] = {SCALAR: [], SHARED: [], OWN: []}
-        self.chunk_of: dict[int, tuple[str, int]] = {}
-        for i, value in enumerate(listing.values):
-            if value.source is None if self.places[i] != SCALAR else not value.constant:
-                chunks = self.chunks[self.places[i]]
-                if not chunks or len(chunks[-1]) >= LONGEST:
-                    chunks.append([])
-                chunks[-1].append(i)
-                self.chunk_of[i] = self.places[i], len(chunks) - 1
-        # Outputs that are inputs, constants or scalars are written in a chunk of their place.
-        self.writes: dict[tuple[str, int], list[tuple[int, int]]] = {}
-        for k, i in enumerate(listing.outputs):
-            place = OWN if self.places[i] == SCALAR else self.places[i]
-            if not self.chunks[place]:
-                self.chunks[place].append([])
-            at = self.chunk_of.get(i, (place, 0))
-            self.writes.setdefault(at if at[0] == place else (place, 0), []).append((k, i))
-        order = {SCALAR: 0, SHARED: 1, OWN: 2}
-        self.last: dict[int, tuple[int, int]] = {}
-        self.users: dict[int, set[tuple[str, int]]] = {}
-        for i, at in self.chunk_of.items():
-            for arg in _operands(listing.values[i]):
-                self.users.setdefault(arg, set()).add(at)
-        for at, written_ in self.writes.items():
-            for _, i in written_:
-                self.users.setdefault(i, set()).add(at)
-        for i, users in self.users.items():
-            self.last[i] = max((order[place], n) for place, n in users)
+        self.division = Division(listing, source.form, LONGEST)
 
     def write(self) -> dict[str, list[str]]:
         """Write them; their names by place."""
         made: dict[str, list[str]] = {}
-        for rank, place in enumerate((SCALAR, SHARED, OWN)):
+        for place in ORDER:
             made[place] = []
-            for n, chunk in enumerate(self.chunks[place]):
+            for n, chunk in enumerate(self.division.chunks[place]):
                 name = f"{self.tag}{place}{n}"
                 made[place].append(name)
                 if place == SCALAR:
                     self._once_a_sample(name, n, chunk)
                 else:
                     self._over_poses(name, place, n, chunk)
-                for i, last in self.last.items():
+                for i in self.division.last_used((place, n)):
                     key = ("v", self.tag, i)
-                    if place == OWN and last == (rank, n) and self.places[i] == OWN and key in self.source.rows.places:
+                    if place == OWN and self.division.places[i] == OWN and key in self.source.rows.places:
                         self.source.rows.release(key)
         return made
 
@@ -240,8 +172,8 @@ class _Block:
                 at = code.name(f"getelementptr double, {code.pd} %p, i64 {at}")
                 holds[i] = code.name(f"load double, {code.pd} {at}, align 8")
             else:
-                holds[i] = self._computed(code, value, known)
-            if self.users.get(i, set()) - {(SCALAR, n)}:
+                holds[i] = self.division.computed(code, value, known)
+            if self.division.passed_on(i, (SCALAR, n)):
                 code.store(holds[i], "%c", scalars["v", self.tag, i])
         self.source.text.append(
             f"define internal void @{name}({code.pd} noalias readonly %p, i64 %pr, {code.pd} noalias %c) {{\n"
@@ -252,9 +184,7 @@ class _Block:
         """Write a function over a block of poses."""
         code, at, rows = self.source.machine.code(), self.source.vectors, self.source.rows
         holds: dict[int, str] = {}
-        outputs: dict[int, list[int]] = {}
-        for k, i in self.writes.get((place, n), []):
-            outputs.setdefault(i, []).append(k)
+        outputs = self.division.outputs((place, n))
 
         def known(i: int) -> str:
             return self._known(code, i, holds)
@@ -264,8 +194,8 @@ class _Block:
                 code.store(known(i), "%wi", rows[self.out, k] * at)
 
         for i in chunk:
-            holds[i] = self._computed(code, self.listing.values[i], known)
-            if self.users.get(i, set()) - {(place, n)}:
+            holds[i] = self.division.computed(code, self.listing.values[i], known)
+            if self.division.passed_on(i, (place, n)):
                 code.store(holds[i], "%wi", rows["v", self.tag, i] * at)
             store(i)
         for i in list(outputs):
@@ -278,7 +208,7 @@ class _Block:
         if value.constant:
             return code.number(value.number)
         if i not in holds:
-            if self.places[i] == SCALAR:
+            if self.division.places[i] == SCALAR:
                 holds[i] = code.spread("%c", self.source.scalars["v", self.tag, i])
             else:
                 holds[i] = code.load("%wi", self._row(i, value) * self.source.vectors)
@@ -289,22 +219,6 @@ class _Block:
             which, row = value.source
             return self.source.rows["p" if which else "x", row]
         return self.source.rows["v", self.tag, i]
-
-    def _computed(self, code: LlvmCode, value: Value, known: Callable[[int], str]) -> str:
-        name, operands = operation(value.op).name, [known(i) for i in _operands(value)]
-        if name == "power" and (power := _whole_power(self.listing.values[value.args[1]])):
-            return whole_power(code, operands[0], power)
-        return written(code, name, operands)
-
-
-def _whole_power(value: Value) -> int:
-    """A whole power of few factors; 0 for another."""
-    return int(value.number) if value.constant and value.number.is_integer() and 0 < value.number <= 32 else 0
-
-
-def _operands(value: Value) -> tuple[int, ...]:
-    """The values that an operation takes; constants and inputs take none."""
-    return value.args[: operation(value.op).operands] if value.args else ()
 
 
 _SOLVE = """call void @newton{k}_begin({pd} %w, {pd} %c)

@@ -43,6 +43,16 @@ PRIMITIVES: Mapping[str, int] = {
 """The primitive operations and the number of their operands. Comparisons give conditions, of which one is selected by;
 the last three are functions of :mod:`linkwright.kernels.elementary` that look at a number's bits."""
 
+BITS: Mapping[str, tuple[tuple[tuple[str, int], ...], float]] = {
+    "power_of_two": ((("add", 1023), ("shift left", 52)), 0.0),
+    "binary_exponent": (
+        (("add", 0x95F619980C433), ("shift right", 52), ("or", 0x4330000000000000)),
+        4503599627371519.0,
+    ),
+    "binary_fraction": ((("add", 0x95F619980C433), ("and", 0xFFFFFFFFFFFFF), ("add", 0x3FE6A09E667F3BCD)), 1.0),
+}
+"""Of those three: what is done to the bits as a whole number of 64, and the number that is taken away afterwards."""
+
 
 class Code(Protocol):
     """Straight-line code that is being written. Operands are text; what is written once is named and used again."""
@@ -53,6 +63,9 @@ class Code(Protocol):
     def do(self, primitive: str, *operands: str) -> str:
         """Write a primitive operation; its result as an operand."""
 
+    def function(self, name: str, operands: Sequence[str]) -> str:
+        """Write an elementary function, out (:func:`written_out`) or as a call; its result as an operand."""
+
 
 def written(code: Code, name: str, operands: Sequence[str]) -> str:
     """Write an operation of a program; its result as an operand."""
@@ -60,7 +73,12 @@ def written(code: Code, name: str, operands: Sequence[str]) -> str:
         return _WRITTEN[name](code, *operands)
     if name in PRIMITIVES:
         return code.do(name, *operands)
-    (result,) = _Body(code, _CALLED.get(name, name), operands).results
+    return code.function(_CALLED.get(name, name), operands)
+
+
+def written_out(code: Code, name: str, operands: Sequence[str]) -> str:
+    """Write all operations of an elementary function; its result as an operand."""
+    (result,) = _Body(code, name, operands).results
     return result
 
 
