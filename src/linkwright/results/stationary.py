@@ -74,31 +74,26 @@ def stationary(
     row has the grid that it would have by itself.
     """
 
+    found = _settled(_turning_brackets(rates, scales), start, stop, steps, alone)
+    return roots(lambda at: rates(at)[1], [brackets for brackets, _ in found])
+
+
+def fineness(rates: Callable[[Array], tuple[Array, Array]], start: float, stop: float, steps: int) -> list[int]:
+    """The steps on which the count of each row's brackets has stayed the same twice; :data:`MAX_STEPS` if never."""
+    return [needed for _, needed in _settled(_turning_brackets(rates), start, stop, steps, alone=True)]
+
+
+def _turning_brackets(
+    rates: Callable[[Array], tuple[Array, Array]], scales: Sequence[float] | None = None
+) -> Callable[[Array], list[Array]]:
+    """What gives the brackets of each row's turning points on a grid."""
+
     def look(t: Array) -> list[Array]:
         values, slopes = rates(t)
         scale = 0.0 if scales is None else np.asarray(scales)
         return _brackets(t, turns(values, slopes, t[-1] - t[0], scale), len(values))
 
-    return roots(lambda at: rates(at)[1], _settled(look, start, stop, steps, alone))
-
-
-def fineness(rates: Callable[[Array], tuple[Array, Array]], start: float, stop: float, steps: int) -> list[int]:
-    """The steps on which the count of each row's brackets has stayed the same twice; :data:`MAX_STEPS` if never."""
-    counts: list[list[int]] = []
-    steps = min(max(steps, FIRST_STEPS), LATEST_FIRST)
-    found: dict[int, int] = {}
-    while True:
-        t = np.linspace(start, stop, steps + 1)
-        # Count the brackets of each row on this grid.
-        values, slopes = rates(t)
-        counts.append(np.bincount(turns(values, slopes, stop - start).who, minlength=len(values)).tolist())
-        # A row is resolved once three grids in a row, each twice as fine, gave the same count.
-        for row, last in enumerate(zip(*counts[-3:], strict=True)):
-            if row not in found and len(last) == 3 and len(set(last)) == 1:
-                found[row] = steps
-        if len(found) == len(counts[0]) or steps >= MAX_STEPS:
-            return [found.get(row, MAX_STEPS) for row in range(len(counts[0]))]
-        steps *= 2
+    return look
 
 
 def magnitude(values: Array, slopes: Array) -> tuple[Array, Array]:
@@ -109,17 +104,17 @@ def magnitude(values: Array, slopes: Array) -> tuple[Array, Array]:
 
 def crossings(values: Callable[[Array], Array], start: float, stop: float, steps: int) -> Array:
     """The times at which one function of time changes sign, found the same way without its rate."""
-    brackets = _settled(lambda t: _brackets(t, changes(values(t)[None]), 1), start, stop, steps)
-    return roots(lambda at: values(at)[None, :], brackets)[0]
+    ((brackets, _),) = _settled(lambda t: _brackets(t, changes(values(t)[None]), 1), start, stop, steps)
+    return roots(lambda at: values(at)[None, :], [brackets])[0]
 
 
 def _settled(
     look: Callable[[Array], list[Array]], start: float, stop: float, steps: int, alone: bool = False
-) -> list[Array]:
+) -> list[tuple[Array, int]]:
     """The brackets that ``look`` finds on a grid, doubled until their counts have stayed the same twice: of all rows
-    at once, or with ``alone`` of each."""
+    at once, or with ``alone`` of each; and the steps of that grid, :data:`MAX_STEPS` where they never have."""
     counts: list[list[int]] = []
-    settled: dict[int, Array] = {}
+    settled: dict[int, tuple[Array, int]] = {}
     steps = min(max(steps, FIRST_STEPS), LATEST_FIRST)
     while True:
         t = np.linspace(start, stop, steps + 1)
@@ -129,10 +124,10 @@ def _settled(
         # Three equal counts on grids that were doubled each time: no sign change has been missed so far.
         same = [len(last) == 3 and len(set(last)) == 1 for last in zip(*counts[-3:], strict=True)]
         for row, found in enumerate(brackets):
-            if alone and same[row]:
-                settled.setdefault(row, found)
-        if all(same) or len(settled) == len(brackets) or steps >= MAX_STEPS:
-            return [settled.get(row, found) for row, found in enumerate(brackets)]
+            if same[row] and (alone or all(same)):
+                settled.setdefault(row, (found, steps))
+        if len(settled) == len(brackets) or steps >= MAX_STEPS:
+            return [settled.get(row, (found, MAX_STEPS)) for row, found in enumerate(brackets)]
         steps *= 2
 
 
