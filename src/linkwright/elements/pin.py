@@ -53,7 +53,7 @@ class OuterPin:
 
     def driven_body(self, base: Body, law: Jet) -> Body:
         turn = base.turn + law.rate() if law.order else base.turn
-        body = self.place(base.axis.now.turned(unit_vector(law.d[0])), turn)
+        body = self.place(base.axis.now.rotated(unit_vector(law.d[0])), turn)
         known = None if base.angle is None else base.angle + law.d[0]
         return Body(body.anchor, body.local, body.axis, body.turn, known)
 

@@ -45,7 +45,7 @@ def facts(compiled: Compiled) -> list[Fact]:
     pinned = {point for pin in topology.pins.values() for _, point in pin.members}
     pinned |= {end_of(link) for name in m.cylinders for link in links_of(name)}  # no names of the file's
     pinned |= {end for c in higher for end in m.joints[c.joint].joint_points}
-    lone = [point for point in compiled.quantities.signals.homes if point not in pinned]
+    lone = [point for point in compiled.quantities.signals.links_of_points if point not in pinned]
     if lone:
         lines.append(_fact("lone", Said("fact.lone.text", points=Joined(lone))))
     if compiled.plane is not None:
