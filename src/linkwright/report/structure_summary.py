@@ -68,9 +68,9 @@ def facts(compiled: Compiled) -> list[Fact]:
         lines.append(_fact("order", Joined(order, CLAUSES)))
     masses = [link for link in topology.moving if m.has_mass(link)]
     without = [link for link in topology.moving if link not in masses]
-    said = Said("fact.mass.none", links=Joined(without)) if without else Said("fact.mass.all")
     if masses:
-        lines.append(_fact("mass", Said("fact.mass.text", links=Joined(masses), without=said)))
+        key = "fact.mass.some" if without else "fact.mass.all"
+        lines.append(_fact("mass", Said(key, links=Joined(masses), without=Joined(without))))
     acting: dict[str, list[Text]] = understood.acting(compiled)
     laws: list[Text] = [law_fact(compiled, name) for name in compiled.motions]
     for name, said_of in (*((section, acting[section]) for section in reversed(NOUNS)), ("laws", laws)):
