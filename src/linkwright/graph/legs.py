@@ -12,8 +12,9 @@ from dataclasses import dataclass
 from linkwright.elements import InnerLine, InnerPin, OuterLine, OuterPin
 from linkwright.graph.motion import Motion
 from linkwright.graph.placing import driven_body, inner_joint, outer_joint
+from linkwright.groups.dyad import length
 from linkwright.notation import Body, Jet, Pair, Scalar
-from linkwright.notation.jets import call, is_zero
+from linkwright.notation.jets import is_zero
 from linkwright.structure import Connection, HigherGroup
 
 Row = tuple[Scalar, Scalar, Scalar]
@@ -208,11 +209,6 @@ EQUATIONS: dict[tuple[bool, bool], type[Equation]] = {
     (False, False): Fixed,
 }
 """By whether a leg's two joints are pins, from the known link inwards."""
-
-
-def length(v: Pair) -> Scalar:
-    """The length of a pair."""
-    return call("sqrt", v.dot(v))
 
 
 def unit(v: Pair) -> Pair:
