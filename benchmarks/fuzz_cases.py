@@ -59,7 +59,7 @@ KINDS: dict[str, Kind] = {}
 
 
 def register(weight: int) -> Callable[[Any], Any]:
-    """Register a class under its function's name; its docstring is what the report says."""
+    """Register a class under its function's name; its docstring describes it in the table."""
 
     def entered(make: Any) -> Any:
         assert make.__name__ not in KINDS
@@ -158,7 +158,7 @@ def mostly_checked(random_: random.Random, data: Data, share: float = 0.25) -> t
 
 @register(300)
 def text(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
-    """model files with changes of text, of lines, of bytes, of YAML."""
+    """model files with altered text, lines, bytes or YAML syntax."""
     made = mutations.mutated(random_, random_.choice([*texts().values()]))
     files = folder(made)
     if random_.random() < 0.2:
@@ -170,7 +170,7 @@ def text(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
 
 @register(150)
 def tree(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
-    """model files with entries removed, moved, renamed, doubled, replaced."""
+    """model files with entries removed, moved, renamed, duplicated or replaced."""
     data = brief(data_of(random_.choice([*texts()])))
     for _ in range(random_.choice((1, 1, 2, 4))):
         mutations.change(random_, data)
@@ -179,7 +179,7 @@ def tree(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
 
 @register(120)
 def expressions(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
-    """numbers and expressions of model files replaced by random ones, deep, with units, with names of the file."""
+    """model files with random expressions: nested, with units, with names of the file."""
     data = brief(data_of(random_.choice([*texts()])))
     places = [(holder, key) for holder, key in mutations.places(data) if isinstance(holder[key], str | int | float)]
     names = names_of(data)
@@ -190,7 +190,7 @@ def expressions(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
 
 @register(120)
 def options(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
-    """options of every registered study and export: wrong kinds, wrong values, options of others."""
+    """options of every study and export format: wrong types, invalid values, options of other studies."""
     section, registry = random_.choice((("studies", STUDIES), ("studies", STUDIES), ("exports", TARGETS)))
     name = random_.choice([*registry])
     model = random_.choice(having(section, name) or [*texts()])
@@ -211,7 +211,7 @@ def options(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
 
 @register(100)
 def tables(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
-    """content of CSV files: cells, separators, heads, encodings, bytes."""
+    """CSV files with altered cells, separators, headers, encodings or bytes."""
     data = brief(data_of(random_.choice(with_tables())))
     files = folder(data)
     (table,) = files.keys() - {MODEL}
@@ -223,7 +223,7 @@ def tables(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
 
 @register(80)
 def drawings(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
-    """content of DXF drawings: lines, arcs, circles, ellipses, splines with wrong numbers, groups, ends."""
+    """DXF drawings of lines, arcs, circles, ellipses and splines with invalid numbers, groups or end points."""
     data = brief(data_of("five_bar_path"))
     wanted = data["studies"]["workspace"]["paths"]["wanted"]
     wanted |= {"drawing": "path.dxf", "never_reverse": False}
@@ -234,7 +234,7 @@ def drawings(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
 
 @register(10)
 def batches(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
-    """content of the CSV file of a batch of exports."""
+    """altered CSV files for batch export."""
     rows = beside()["hinges.csv"].decode()
     base = texts()[BATCHED].encode()
     target = random_.choice(("process-simulate", "process-simulate", *TARGETS))
@@ -247,7 +247,7 @@ def batches(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
 
 @register(50)
 def exports(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
-    """every registered export of any model, with options by the command line."""
+    """every export format for any model, with options on the command line."""
     target = random_.choice([*TARGETS])
     data = brief(data_of(random_.choice(having("exports", target) + tuple(texts()))))
     _numbers(random_, data, random_.choice((0, 1, 2)))
@@ -260,7 +260,7 @@ def exports(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
 
 @register(20)
 def samples(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
-    """sweeps and accuracy studies with changed numbers and distributions."""
+    """sweep and accuracy studies with altered numbers and distributions."""
     study = random_.choice(("sweep", "accuracy"))
     data = brief(data_of(random_.choice(having("studies", study))))
     _numbers(random_, data, random_.choice((0, 1, 2)))
@@ -272,7 +272,7 @@ def samples(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
 
 @register(4)
 def workspace(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
-    """workspace studies of changed mechanisms."""
+    """workspace studies of altered mechanisms."""
     data = brief(data_of(random_.choice(having("studies", "workspace"))))
     if random_.random() < 0.7:
         for part in ("quality", "errors", "paths", "trajectories"):
@@ -283,7 +283,7 @@ def workspace(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
 
 @register(3)
 def cam(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
-    """cam studies, NC code with them, of changed cams."""
+    """cam studies of altered cams, with NC code."""
     data = brief(data_of(random_.choice(having("studies", "cam"))))
     _numbers(random_, data, random_.choice((1, 2)), gentle=True)
     posts = ["--post", random_.choice(("linuxcnc", "grbl", "fanuc", "none"))] if random_.random() < 0.3 else []
@@ -292,7 +292,7 @@ def cam(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
 
 @register(25)
 def large(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
-    """chains, rings, grids and 2-trees of 15 to 200 links: sound, misspelled, over-constrained, disconnected."""
+    """chains, rings, grids and 2-trees of 15 to 200 links: valid, misspelled, over-constrained or disconnected."""
     links, seed = int(15 * (200 / 15) ** random_.random()), random_.randrange(10**6)
     made = large_models.CLASSES[random_.choice([*large_models.CLASSES])](links, seed)
     made = large_models.FAULTS[random_.choice([*large_models.FAULTS])](made, seed)

@@ -1,7 +1,7 @@
-"""Faults planted in linkwright, each in a process of the fuzzer's: a fuzzer that doesn't find them is weak.
+"""Faults planted in linkwright, each in a process of the fuzzer: a fuzzer that doesn't find them is ineffective.
 
-Each function spoils the program in the process that calls it. ``PLANTS`` has for each the class of cases that should
-find it, and a word of the failure that it should be reported as.
+Each function plants a fault in the process that calls it. ``PLANTS`` lists for each the class of cases that should
+detect it, and a word of the failure that should be reported.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ class Plant:
 
 
 def empty_list() -> None:
-    """An IndexError for an empty list in a model file."""
+    """An empty list in a model file raises an IndexError."""
     from linkwright.model import model_file
 
     read = model_file.read_document
@@ -47,7 +47,7 @@ def _first_of_lists(data: Any) -> None:
 
 
 def hang_on_nan() -> None:
-    """An endless loop, which no signal ends, where a DXF drawing has a NaN."""
+    """A NaN in a DXF drawing causes an endless loop that no signal interrupts."""
     import signal
 
     from linkwright.studies.workspace import path_options
@@ -65,7 +65,7 @@ def hang_on_nan() -> None:
 
 
 def nan_in_a_table() -> None:
-    """NaN written to a CSV file in place of a blank cell, or where a value is 0."""
+    """CSV files contain NaN instead of blank cells and zeros."""
     from linkwright.model import csv_text
 
     cell = csv_text.cell
@@ -73,7 +73,7 @@ def nan_in_a_table() -> None:
 
 
 def half_written() -> None:
-    """A file written without its second half where it is long."""
+    """Long files are written without their second half."""
     from linkwright.model import output_files
 
     write = output_files.write_aside
@@ -85,7 +85,7 @@ def half_written() -> None:
 
 
 def outside_the_folder() -> None:
-    """A copy of the page written beside the results folder."""
+    """A copy of the report is written outside the results folder."""
     from linkwright.model import output_files
 
     write = output_files.write_aside
@@ -99,7 +99,7 @@ def outside_the_folder() -> None:
 
 
 def memory_by_a_number() -> None:
-    """Memory that grows with the largest number of a model file."""
+    """Memory use grows with the largest number in a model file."""
     from linkwright.model import model_file
 
     read = model_file.read_document
@@ -113,7 +113,7 @@ def memory_by_a_number() -> None:
 
 
 def other_answers() -> None:
-    """Figures that depend on what the process did before."""
+    """Results depend on earlier work of the same process."""
     from linkwright.model import csv_text
 
     cell, asked = csv_text.cell, [0]
@@ -126,7 +126,7 @@ def other_answers() -> None:
 
 
 def left_aside() -> None:
-    """A file made aside and not removed."""
+    """A temporary file isn't removed."""
     from linkwright.model import output_files
 
     write = output_files.write_aside
@@ -139,7 +139,7 @@ def left_aside() -> None:
 
 
 def silent_refusal() -> None:
-    """A wrong file refused without a word."""
+    """An invalid file is rejected without a problem report."""
     from linkwright.model import model_file
 
     read = model_file.read_document

@@ -1,13 +1,13 @@
 """The page docs/validation/robustness.md: ``python benchmarks/robustness.py [--counts FILE ...] [--plants FILE]``.
 
-The tables between its marks are made from docs/validation/robustness.json, which holds what was measured:
+The tables between its marks are generated from the measured results in docs/validation/robustness.json:
 
     python benchmarks/fuzz.py --count 100000 --save counts.json
     python benchmarks/fuzz.py --plants --save plants.json
     python benchmarks/robustness.py --counts counts.json --plants plants.json
 
-Several files of counts, of other seeds or classes, are added up. Without options the tables are made anew from what is
-there.
+Several files of counts, with other seeds or classes, are added up. Without options the tables are regenerated from
+the stored results.
 """
 
 from __future__ import annotations
@@ -28,9 +28,9 @@ MARK = "<!-- {0} -->\n{1}<!-- end of {0} -->\n"
 
 
 def cases_table(counts: dict[str, Any]) -> str:
-    """The classes of cases: how many were tried, exit code 0 of them, failures."""
+    """The classes of cases: their number, how many ended with exit code 0, failures."""
     columns = [counts[name] for name in ("cases", "performed", "failed")]
-    lines = ["| class | what is tried | cases | exit code 0 | failures |", "|---|---|---|---|---|"]
+    lines = ["| class | inputs | cases | exit code 0 | failures |", "|---|---|---|---|---|"]
     for name, kind in KINDS.items():
         numbers = " | ".join(str(column.get(name, 0)) for column in columns)
         lines.append(f"| {name} | {kind.about} | {numbers} |")
@@ -39,23 +39,26 @@ def cases_table(counts: dict[str, Any]) -> str:
 
 
 def limits_text(counts: dict[str, Any]) -> str:
-    """What came of the cases, in a sentence."""
+    """The number of different problems, the slowest and the largest case."""
     slow, wide = counts["slowest"], counts["largest"]
     return (
-        f"{len(counts['codes'])} different findings came of them. The slowest took {slow['seconds']:g} s of processor\n"
-        f"time ({slow['kind']}), the largest {wide['mebibytes']} MiB more than its process had ({wide['kind']}).\n"
+        f"The cases led to {len(counts['codes'])} different problem reports. The slowest case took\n"
+        f"{slow['seconds']:g} s of processor time ({slow['kind']}); the largest needed {wide['mebibytes']} MiB of\n"
+        f"additional memory ({wide['kind']}).\n"
     )
 
 
 def plants_table(found: dict[str, int]) -> str:
-    """The planted faults, and after how many cases each is found."""
-    lines = ["| planted fault | class | found in case |", "|---|---|---|"]
-    lines += [f"| {plant.about} | {plant.kind} | {found.get(name) or 'not found'} |" for name, plant in PLANTS.items()]
+    """The planted faults, and the number of the case that detected each."""
+    lines = ["| planted fault | class | detected in case |", "|---|---|---|"]
+    lines += [
+        f"| {plant.about} | {plant.kind} | {found.get(name) or 'not detected'} |" for name, plant in PLANTS.items()
+    ]
     return "\n".join(lines) + "\n"
 
 
 def read(file: Path) -> Any:
-    """What a file of JSON holds."""
+    """The content of a JSON file."""
     return json.loads(file.read_text(encoding="utf-8"))
 
 
@@ -73,7 +76,7 @@ def added(runs: list[dict[str, Any]]) -> dict[str, Any]:
 
 
 def page(text: str, measured: dict[str, Any]) -> str:
-    """The page's text with its tables made from what was measured."""
+    """The page's text with its tables generated from the measured results."""
     made = {
         "cases": cases_table(measured["counts"]),
         "limits": limits_text(measured["counts"]),
@@ -87,7 +90,7 @@ def page(text: str, measured: dict[str, Any]) -> str:
 
 
 def main() -> None:
-    """Take what was measured, write the page."""
+    """Store the measured results and write the page."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--counts", type=Path, nargs="+", metavar="FILE", help="what fuzz.py --save wrote")
     parser.add_argument("--plants", type=Path, metavar="FILE", help="what fuzz.py --plants --save wrote")

@@ -28,7 +28,7 @@ def test_all_classes_were_tried_all_planted_faults_found_and_failures_spoken_of(
 
 
 def test_a_fault_that_is_not_found_is_said() -> None:
-    assert "| not found |" in robustness.plants_table({})
+    assert "| not detected |" in robustness.plants_table({})
 
 
 def test_runs_are_added_up() -> None:

@@ -15,7 +15,7 @@ from click.testing import CliRunner
 
 from app.models import NAMES, SOUND
 from linkwright.cli import cli
-from linkwright.cli.language import chosen
+from linkwright.cli.language import requested_language
 from linkwright.presentation.lettering import columns, folded
 from linkwright.words import catalogue, language
 
@@ -39,7 +39,7 @@ HANZI = r"[\u4e00-\u9fff]"
 )
 @pytest.mark.skipif(sys.platform == "win32", reason="a system's language is no variable there")
 def test_the_language_that_is_chosen(words: list[str], environment: dict[str, str], name: str) -> None:
-    assert chosen(words, environment) == name
+    assert requested_language(words, environment) == name
 
 
 def run(*words: object, **environment: str) -> subprocess.CompletedProcess[bytes]:

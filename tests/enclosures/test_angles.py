@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from linkwright.enclosures.angles import Polynomials, Stretches, stretches, turned
+from linkwright.enclosures.angles import Polynomials, Stretches, cosine_and_sine, stretches
 from linkwright.enclosures.forms import AffineForm
 from linkwright.notation.harmonics import ANGLES, basis, zeros
 
@@ -76,7 +76,7 @@ def test_cosine_and_sine_of_angles_that_depend_on_the_place(size: float) -> None
     away = AffineForm(
         0.1 * size * np.ones(3), 0.3 * size * np.ones(3), -0.2 * size * np.ones(3), 0.1 * size * np.ones(3)
     )
-    c, s = turned(phi, away)
+    c, s = cosine_and_sine(phi, away)
     for u, v, w in rng.uniform(-1, 1, (200, 3)):
         angle = phi + away.value + u * away.u + v * away.v + w * away.rest
         for form, true in ((c, np.cos(angle)), (s, np.sin(angle))):

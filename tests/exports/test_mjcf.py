@@ -65,15 +65,15 @@ def posed(exported: Exported, compiled: lw.Compiled) -> float:
     heads, rows = table(exported)
     assert [head.split(" [")[0] for head in heads[1 : 1 + model.nq]] == [model.joint(i).name for i in range(model.njnt)]
     places = {p: f"{link}:{p}" for link, entry in compiled.mechanism.links.items() for p in entry.points}
-    homes = compiled.quantities.signals.homes
-    names = [f"{p}.{axis}" for p in homes for axis in "xy"]
-    wanted = compiled.evaluate(names, rows[:, 0]).reshape(len(homes), 2, -1)
+    links_of_points = compiled.quantities.signals.links_of_points
+    names = [f"{p}.{axis}" for p in links_of_points for axis in "xy"]
+    wanted = compiled.evaluate(names, rows[:, 0]).reshape(len(links_of_points), 2, -1)
     worst = 0.0
     for i, row in enumerate(rows):
         data.qpos[:] = row[1 : 1 + model.nq]
         mujoco.mj_forward(model, data)
         assert data.ne == 3 * model.neq
-        found = np.array([data.site(places[point]).xpos for point in homes])
+        found = np.array([data.site(places[point]).xpos for point in links_of_points])
         gaps = [data.efc_pos[: data.ne], (found[:, :2] - wanted[:, :, i]).ravel(), found[:, 2]]
         worst = max(worst, *(float(np.abs(gap).max(initial=0)) for gap in gaps))
     return worst

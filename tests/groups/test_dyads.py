@@ -198,7 +198,7 @@ def test_closed_form_agrees_with_newton(signature: str, data: Any) -> None:
 
 
 def _nudged(q: Any, by: float) -> Any:
-    return q.turned(Pair(math.cos(by), math.sin(by))) if isinstance(q, Pair) else q + by
+    return q.rotated(Pair(math.cos(by), math.sin(by))) if isinstance(q, Pair) else q + by
 
 
 @each()

@@ -165,7 +165,7 @@ LIFT = {"h": 0.1, "w": 1.7, "v": 1.3, "b": 0.3, "rb": 0.04}
 AT = np.linspace(0.02, 0.85, 9)
 
 
-def riding(guide: str, touch: str, **parameters: float) -> Compiled:
+def relation(guide: str, touch: str, **parameters: float) -> Compiled:
     """A cam pair whose law's height, widths and fractions are parameters, and its base circle."""
     data = pair(guide, touch)
     given = LIFT | {"h": 0.1 if guide == "swinging" else 0.008} | parameters
@@ -187,14 +187,14 @@ def signals(guide: str) -> list[str]:
 
 @pytest.mark.parametrize(("guide", "touch"), CAMS)
 def test_samples_of_cams_are_models_read_anew(guide: str, touch: str) -> None:
-    base = riding(guide, touch)
+    base = relation(guide, touch)
     names = [*LIFT]
     nominal = np.array([base.quantities.parameters[name] for name in names])
     values = nominal[:, None] * (1 + 0.02 * np.array([[1, -1, 0, 0, 1], [-1, 1, 1, 1, 0]]).T)
     varied = Varied(base, names)
     found = varied.evaluate(signals(guide), varied.parameters(values), AT)
     for i, column in enumerate(values.T):
-        wanted = riding(guide, touch, **dict(zip(names, map(float, column), strict=True)))
+        wanted = relation(guide, touch, **dict(zip(names, map(float, column), strict=True)))
         rows = wanted.evaluate(signals(guide), AT)
         assert (np.abs(found[:, i] - rows).max(axis=1) <= 1e-11 * np.abs(rows).max(axis=1)).all()
 
@@ -203,13 +203,13 @@ def test_samples_of_cams_are_models_read_anew(guide: str, touch: str) -> None:
 @pytest.mark.parametrize("made", [lambda c: c, with_cut_cams], ids=["designed", "cut"])
 def test_derivatives_of_cams_are_those_of_samples(guide: str, touch: str, made: Any) -> None:
     """Where the law alone deviates, a cam that is cut is another one, as if designed so."""
-    base = made(riding(guide, touch))
+    base = made(relation(guide, touch))
     names = [*LIFT]
     rows = [base.graph.parameters.index(name) for name in names]
     _, exact = Tangents(base, np.eye(len(base.parameters))[:, rows]).evaluate(signals(guide), AT)
     nominal, step = base.parameters[rows], 2e-3
     aside = nominal[:, None] * (1 + (np.eye(5)[:, :, None] * OFFSETS * step).reshape(5, -1))
-    varied = Varied(riding(guide, touch), names)
+    varied = Varied(relation(guide, touch), names)
     moved = varied.evaluate(signals(guide), varied.parameters(aside), AT).reshape(6, 5, OFFSETS.size, AT.size)
     numeric = moved.transpose(0, 1, 3, 2) @ WEIGHTS / (step * nominal[:, None])
     scale = np.abs(numeric).max(axis=2, keepdims=True) + np.abs(base.evaluate(signals(guide), AT))[:, None]
@@ -301,11 +301,11 @@ def test_a_second_contact_that_the_law_places_is_refused() -> None:
 
 
 def test_the_disc_of_a_sample() -> None:
-    base = riding("swinging", "roller")
+    base = relation("swinging", "roller")
     given = base.quantities.parameters | {"h": 0.11, "w": 1.6, "b": 0.35}
     theta = np.linspace(0.0, 6.2, 40)
     found = disc(base, "rider", given).look(theta)
-    wanted = disc(riding("swinging", "roller", h=0.11, w=1.6, b=0.35), "rider").look(theta)
+    wanted = disc(relation("swinging", "roller", h=0.11, w=1.6, b=0.35), "rider").look(theta)
     for a, b in zip((*found.pitch, found.pressure), (*wanted.pitch, wanted.pressure), strict=True):
         assert np.abs(np.asarray(a.d[0]) - b.d[0]).max() < 1e-15
     for wrong in ({"w": 2.7}, {"w": 0.0}, {"h": float("nan")}):

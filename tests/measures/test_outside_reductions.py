@@ -51,7 +51,7 @@ def test_it_is_measured_shown_and_held_to_its_limits(tmp_path: Path) -> None:
     assert entries["peaky"]["value"] == pytest.approx(peaky(100), rel=1e-12)
     assert entries["middle"]["value"] == pytest.approx(0.0, abs=1e-9)
     assert (entries["middle"]["unit"], entries["middle"]["met"]) == ("mm", True)
-    assert "peak_to_peak_over_rms of B.x + 50 mm" in (out / "report.html").read_text(encoding="utf-8")
+    assert "peak_to_peak_over_rms of B.x + 50 mm" in (out / "report.html").read_text("utf-8").replace("\u00a0", " ")
     assert "median of B.x, window half" in (out / "report.html").read_text(encoding="utf-8")
     assert "peaky" in done.stdout
 

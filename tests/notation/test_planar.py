@@ -35,9 +35,9 @@ def test_pairs_are_complex_numbers(a: Pair, b: Pair, angle: float) -> None:
     za, zb, turn = complex(*a), complex(*b), complex(*unit(angle))
     close(a.dot(b), (za.conjugate() * zb).real)
     close(a.cross(b), (za.conjugate() * zb).imag)
-    close([*a.turned(unit(angle))], [(za * turn).real, (za * turn).imag])
+    close([*a.rotated(unit(angle))], [(za * turn).real, (za * turn).imag])
     back = za * turn.conjugate()
-    close([*a.turned_back(unit(angle))], [back.real, back.imag])
+    close([*a.rotated_back(unit(angle))], [back.real, back.imag])
     close([*a.perp], [(za * 1j).real, (za * 1j).imag])
     close([*a.minus(b)], [(za - zb).real, (za - zb).imag])
 
@@ -174,7 +174,7 @@ def test_vectors_of_constants(a: Pair, b: Pair) -> None:
     close([*va.plus(vb).now], [a.x + b.x, a.y + b.y])
     close([*va.times(2.0).now], [2 * a.x, 2 * a.y])
     close([*va.times(Jet.constant(2.0, 2)).now], [2 * a.x, 2 * a.y])
-    close([*va.carry(b).now], [*b.turned(a)])
+    close([*va.carry(b).now], [*b.rotated(a)])
 
 
 @given(wrenches, pairs, pairs)

@@ -14,19 +14,19 @@ from hypothesis import strategies as st
 
 from linkwright.findings import Said
 from linkwright.presentation.html_file import html_file
-from linkwright.presentation.languages import Differences, Element, element, instead
+from linkwright.presentation.languages import Differences, Element, element, replacements
 
 TEXTS = st.sampled_from(["Value", "数值", "<b> & 'x'", "3.5", " ", "Time"])
 
 
 def applied(here: str, there: str) -> str:
     """What the page's script makes of a page: elements that differ are replaced, then texts and attributes."""
-    found = Differences(here, there)
+    found = Differences(element(here), there)
     for place in sorted(found.inside, reverse=True):
         whole = next(one for one in every(element(here)) if one.tag[1] == place)
         here = here[: whole.inside[0]] + found.inside[place] + here[whole.inside[1] :]
-    texts = instead(found.texts)
-    attributes = {name: instead(pairs) for name, pairs in found.attributes.items()}
+    texts = replacements(found.texts)
+    attributes = {name: replacements(pairs) for name, pairs in found.attributes.items()}
     return written(element(here), texts, attributes, {})
 
 
@@ -83,14 +83,14 @@ def test_a_name_like_a_word_of_the_page_stays() -> None:
     """A link called Value below the head Value."""
     here = "<table><th>Value</th><td>Value</td></table>"
     there = "<table><th>数值</th><td>Value</td></table>"
-    assert instead(Differences(here, there).texts) == {"Value": ["数值", None]}
+    assert replacements(Differences(element(here), there).texts) == {"Value": ["数值", None]}
     assert applied(here, there) == there
 
 
 def test_what_is_equal_isn_t_carried() -> None:
     page = '<p title="a">A name</p><p>1.5</p>'
-    found = Differences(page, page)
-    assert instead(found.texts) == {} and found.inside == {}
+    found = Differences(element(page), page)
+    assert replacements(found.texts) == {} and found.inside == {}
 
 
 def test_a_page_has_a_choice_of_all_languages() -> None:

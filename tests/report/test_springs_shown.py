@@ -29,4 +29,4 @@ def test_springs_are_drawn_plotted_and_named() -> None:
     assert springs["hold"] == (
         f"between coupler and rocker, turns coupler counter-clockwise with {-hold:.6g} N·m at the start"
     )
-    assert said["Mass"] == "crank, coupler, rocker have mass; every moving link does"
+    assert said["Mass"] == "all moving links: crank, coupler, rocker"

@@ -9,8 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from linkwright.results.batch_run import changes
-from linkwright.results.stationary import NOISE
+from linkwright.results.stationary import NOISE, changes
 
 Array = NDArray[np.float64]
 

@@ -22,8 +22,8 @@ def test_a_four_bar_is_one_loop() -> None:
     assert loop.links == ("frame", "crank", "coupler", "rocker")
     assert [joint.joint for joint in loop.joints] == ["A", "B", "C", "D"]
     assert loop.turning == (True,) * 4
-    assert loop.turned(1).links == ("crank", "coupler", "rocker", "frame")
-    assert [joint.joint for joint in loop.turned(1).joints] == ["B", "C", "D", "A"]
+    assert loop.rotated(1).links == ("crank", "coupler", "rocker", "frame")
+    assert [joint.joint for joint in loop.rotated(1).joints] == ["B", "C", "D", "A"]
 
 
 def test_three_links_on_one_pin_make_no_loop_of_their_own() -> None:

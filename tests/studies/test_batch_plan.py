@@ -26,7 +26,7 @@ from linkwright.measures import MeasureResult, bound_measures, measure_all
 from linkwright.model.document import Document, load, replaced
 from linkwright.reductions import REDUCTIONS
 from linkwright.results import Run
-from linkwright.studies.batch_plan import Many, Measuring, measure_many
+from linkwright.studies.batch_plan import Many, Measuring
 from linkwright.studies.cycle.options import CycleOptions, span
 from studies.models import UNITS, four_bar, slider_crank
 from studies.test_measures import SIGNALS
@@ -467,7 +467,8 @@ def test_a_sample_does_not_depend_on_the_others_to_the_last_bit(path: str, monke
 def test_some_names_only() -> None:
     some = Batch.round_nominal("examples/paper_feeder.yaml", 0.01, 3)
     run = run_of(some.document, some.compiled)
-    many = measure_many(some.varied, run, some.p, bound_measures(some.compiled.quantities, ["stroke", "M0_feed"]))
+    named = bound_measures(some.compiled.quantities, ["stroke", "M0_feed"])
+    many = Measuring(some.varied, run, named).evaluate(some.p)
     assert [*many.figures] == ["stroke", "M0_feed"]
     assert [*many.met] == ["stroke"]
     whole = some.measuring.evaluate(some.p)

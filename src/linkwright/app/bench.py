@@ -132,12 +132,12 @@ def default_outputs(compiled: Compiled) -> tuple[str, ...]:
     """All positions, velocities, accelerations, reactions and drive efforts of what moves."""
     structure = compiled.structure
     moving = set(structure.topology.moving)
-    homes = compiled.quantities.signals.homes
+    links_of_points = compiled.quantities.signals.links_of_points
 
     def wanted(signal: Signal) -> bool:
         owner, attribute = signal.owners[0] if signal.owners else "", signal.attribute
         if signal.kind == "point":
-            return homes[owner] in moving and attribute in ("x", "y", "vx", "vy", "ax", "ay")
+            return links_of_points[owner] in moving and attribute in ("x", "y", "vx", "vy", "ax", "ay")
         if signal.kind == "link":
             return owner in moving and attribute in ("omega", "alpha")
         if signal.kind == "force":

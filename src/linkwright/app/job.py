@@ -16,7 +16,7 @@ from linkwright.escape import json_text, line
 from linkwright.exports import Order, Target, read_exports
 from linkwright.findings import Finding, ModelError, raise_errors
 from linkwright.kernels import Compiled
-from linkwright.model.desugar import home
+from linkwright.model.desugar import with_file_paths
 from linkwright.model.document import Document, dump, located
 from linkwright.model.input_files import STDIN, STDIN_NAME
 from linkwright.model.model_file import read_model_file
@@ -68,7 +68,7 @@ class Examined:
 
     def located(self, findings: Iterable[Finding]) -> list[Finding]:
         """The same findings with their lines in the file."""
-        return located(findings if self.document is None else home(self.document, findings), self.source)
+        return located(findings if self.document is None else with_file_paths(self.document, findings), self.source)
 
     @property
     def exit_code(self) -> int:
@@ -186,7 +186,7 @@ class Job:
     def found(self) -> list[Finding]:
         """What the studies found: why a run isn't whole, and warnings."""
         findings = found(self.outcomes)
-        return findings if self.examined.document is None else home(self.examined.document, findings)
+        return findings if self.examined.document is None else with_file_paths(self.examined.document, findings)
 
     @property
     def exit_code(self) -> int:

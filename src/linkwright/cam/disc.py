@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.cam.followers import CamFollowerGeometry, Vector, cross, dot, turned
+from linkwright.cam.followers import CamFollowerGeometry, Vector, cross, dot, rotated
 from linkwright.notation import Jet
 
 Array = NDArray[np.float64]
@@ -133,7 +133,7 @@ class Disc:
         speed = square.sqrt()
         along = -self.sense * way[1] / speed, self.sense * way[0] / speed
         curvature = -self.sense * cross(way, self._rate_in_cam(way)) / (square * speed)
-        pitch, normal = turned(-self.sense * angle, centre, along)
+        pitch, normal = rotated(-self.sense * angle, centre, along)
         arm = self.follower.velocity(centre)
         return pitch, normal, curvature, self._pressure(along, arm), speed, centre, along, arm
 

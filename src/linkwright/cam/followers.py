@@ -285,7 +285,7 @@ def dot(a: Vector, b: Vector) -> Jet:
     return a[0] * b[0] + a[1] * b[1]
 
 
-def turned(angle: Jet, *some: Vector) -> tuple[Vector, ...]:
+def rotated(angle: Jet, *some: Vector) -> tuple[Vector, ...]:
     """Vectors turned counter-clockwise."""
     cosine, sine = angle.cos(), angle.sin()
     return tuple((cosine * x - sine * y, sine * x + cosine * y) for x, y in some)

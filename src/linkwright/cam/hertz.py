@@ -81,12 +81,6 @@ class Pressure:
         return found
 
     @cached_property
-    def half_width(self) -> Array:
-        """Half the width of the strip (m): (n,)."""
-        found: Array = np.sqrt(4.0 * self.line_load * self.reduced / (math.pi * self.modulus))
-        return found
-
-    @cached_property
     def highest(self) -> CamExtreme:
         """The largest pressure (Pa) of the turn; 0 where the side never bears."""
         contact = self.forces.figure(self.second)
@@ -147,11 +141,6 @@ class Rolling:
     def spin_range(self) -> tuple[CamExtreme, CamExtreme]:
         """The least and the largest spin (rad/s) against the pin."""
         return self._extremes(self._spin)
-
-    @cached_property
-    def acceleration_range(self) -> tuple[CamExtreme, CamExtreme]:
-        """The least and the largest acceleration (rad/s2) of the roller."""
-        return self._extremes(self._acceleration)
 
     @property
     def _sense(self) -> int:

@@ -197,11 +197,6 @@ class CamForces:
         return found
 
     @property
-    def lift_off_stretches(self) -> list[tuple[float, float]]:
-        """The stretches (rad) on which the first side doesn't bear: without a second one, the follower lifts off."""
-        return [(part.start, part.stop) for part in self.bearing if part.side <= 0]
-
-    @property
     def reversals(self) -> list[float]:
         """The cam angles (rad) at which the side that bears changes: with play between them the follower knocks."""
         bears = [part for part in self.bearing if part.side]

@@ -29,7 +29,7 @@ from linkwright.cli.execution import (
     options,
     writable,
 )
-from linkwright.cli.language import install, of_process
+from linkwright.cli.language import install, process_language
 from linkwright.cli.streams import failed, interrupted, misused, prepare, read_or_not
 from linkwright.cli.usage import CommandGroup, Option, Whole, option
 from linkwright.cli.wrapping import WideFormatter
@@ -210,7 +210,7 @@ def main() -> None:
     prepare()
     install()
     code: Any = 0
-    with in_language(of_process()):
+    with in_language(process_language()):
         try:
             code = _performed()
             with read_or_not():

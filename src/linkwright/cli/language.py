@@ -18,7 +18,7 @@ _CHINESE = 0x04
 """The primary language of Windows' numbers of languages (LANG_CHINESE)."""
 
 
-def chosen(words: Sequence[str], environment: Mapping[str, str]) -> str:
+def requested_language(words: Sequence[str], environment: Mapping[str, str]) -> str:
     """The language that the command line asks for by ``--lang``, else the system's where there are texts in it."""
     for k, word in enumerate(words):
         name = words[k + 1] if word == "--lang" and k + 1 < len(words) else word.removeprefix("--lang=")
@@ -32,7 +32,7 @@ def chosen(words: Sequence[str], environment: Mapping[str, str]) -> str:
     return next((name for name in LANGUAGES if (system or "").lower().startswith(name)), LANGUAGES[0])
 
 
-def speak(context: click.Context, _: click.Parameter, name: str | None) -> None:
+def use_language(context: click.Context, _: click.Parameter, name: str | None) -> None:
     """Give texts in a language for the rest of a command."""
     if name is not None:
         context.with_resource(in_language(name))
@@ -60,6 +60,6 @@ def install() -> None:
                 setattr(module, name, function)
 
 
-def of_process() -> str:
+def process_language() -> str:
     """The language of this process."""
-    return chosen(sys.argv[1:], os.environ)
+    return requested_language(sys.argv[1:], os.environ)

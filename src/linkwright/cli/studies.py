@@ -11,7 +11,7 @@ import click
 
 from linkwright.cli import execution
 from linkwright.cli.execution import Telling
-from linkwright.cli.usage import Hinted, Whole, option
+from linkwright.cli.usage import SuggestingCommand, Whole, option
 from linkwright.words import catalogue
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def _known() -> Mapping[str, Study]:
     return STUDIES
 
 
-class StudyCommand(Hinted):
+class StudyCommand(SuggestingCommand):
     """The command of a study. Its options are made where they are asked for: studies are slow imports."""
 
     def __init__(self, study: str) -> None:

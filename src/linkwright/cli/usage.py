@@ -8,11 +8,11 @@ from typing import Any
 
 import click
 
-from linkwright.cli.language import speak
+from linkwright.cli.language import use_language
 from linkwright.words import LANGUAGES, say
 
 
-class Helped:
+class TranslatedHelp:
     """Has a help text in the language of the moment; it is set by its key of the catalogue."""
 
     _help: str | None = None
@@ -27,7 +27,7 @@ class Helped:
         self._help = key
 
 
-class Option(Helped, click.Option):
+class Option(TranslatedHelp, click.Option):
     """An option."""
 
 
@@ -45,12 +45,12 @@ option = partial(click.option, cls=Option)
 
 
 LANGUAGE = Option(
-    ["--lang"], type=click.Choice(LANGUAGES), expose_value=False, is_eager=True, callback=speak, help="cli.lang"
+    ["--lang"], type=click.Choice(LANGUAGES), expose_value=False, is_eager=True, callback=use_language, help="cli.lang"
 )
 """Of every command: the language of what it shows and writes."""
 
 
-class Spoken(Helped, click.Command):
+class TranslatedCommand(TranslatedHelp, click.Command):
     """What all commands have in common."""
 
     def get_params(self, ctx: click.Context) -> list[click.Parameter]:
@@ -68,7 +68,7 @@ _DASHES = ("－", "—", "–", "―", "−")
 """What Chinese keyboards and word processors write for the hyphens of an option."""
 
 
-class Hinted(Spoken):
+class SuggestingCommand(TranslatedCommand):
     """A command that names the option that may be meant."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
@@ -86,10 +86,10 @@ class Hinted(Spoken):
             raise click.UsageError(text, ctx) from None
 
 
-class CommandGroup(Spoken, click.Group):
+class CommandGroup(TranslatedCommand, click.Group):
     """Commands of which one that isn't there is told with those that may be meant."""
 
-    command_class = Hinted
+    command_class = SuggestingCommand
 
     def resolve_command(self, ctx: click.Context, args: list[str]) -> Any:
         """The command that is asked for. Raises :class:`click.UsageError`."""

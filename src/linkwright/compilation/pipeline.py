@@ -22,7 +22,7 @@ from linkwright.kernels import Compiled
 from linkwright.kernels.law import DriveLaw
 from linkwright.kernels.motions import StatedMotion
 from linkwright.kernels.tables import StatedTable
-from linkwright.model.desugar import Spelled, home
+from linkwright.model.desugar import Spelled, with_file_paths
 from linkwright.model.document import located
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.model_file import read_model_file
@@ -70,7 +70,7 @@ def prepare(mechanism: Mechanism, folder: Path | None = None, uses: Uses = (), d
     stated, wrong = laws(numbers, folder, named=not unnamed)
     findings = [*unnamed, *unclear, *wrong]
     found, unsolved = structure(numbers, stated, named=not unnamed, redundancy=driven and not findings)
-    return Prepared(spelled, numbers, found, stated, spelled.home([*findings, *unsolved]))
+    return Prepared(spelled, numbers, found, stated, spelled.with_file_paths([*findings, *unsolved]))
 
 
 def examine(mechanism: Mechanism, folder: Path | None = None, uses: Uses = ()) -> tuple[Compiled | None, list[Finding]]:
@@ -84,7 +84,7 @@ def examine(mechanism: Mechanism, folder: Path | None = None, uses: Uses = ()) -
         return None, made.findings
     assembly = assemble(made.quantities, made.structure, made.stated)
     if assembly.findings:
-        return None, made.spelled.home(assembly.findings)
+        return None, made.spelled.with_file_paths(assembly.findings)
     parts = (made.mechanism, made.quantities, made.structure, assembly, made.laws, made.tables, made.motions)
     odd = warnings(made.spelled, made.quantities, made.stated, assembly)
     return Compiled(*parts, plane=made.spelled.plane, folder=folder), odd
@@ -102,7 +102,7 @@ def compile_model(model: str | Path | Mechanism, folder: str | Path | None = Non
     raise_errors(read.findings)
     assert read.document is not None
     compiled, findings = examine(read.document, Path(folder or Path(model).parent))
-    raise_errors(located(home(read.document, findings), read.source))
+    raise_errors(located(with_file_paths(read.document, findings), read.source))
     assert compiled is not None
     return compiled
 

@@ -103,7 +103,7 @@ def warnings(spelled: Spelled, q: Quantities, stated: Laws, assembly: Assembly) 
     """What is odd with a mechanism that can run."""
     moved = moved_starts(spelled, q, stated.drives)
     odd = [*moved, *implausible(q), *([] if moved else assembly.notes)]
-    return [*spelled.warnings, *_moments(q), *spelled.home(odd)]
+    return [*spelled.warnings, *_moments(q), *spelled.with_file_paths(odd)]
 
 
 def _moments(q: Quantities) -> Iterator[Finding]:

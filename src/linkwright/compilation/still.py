@@ -29,7 +29,7 @@ def examine_still(
         return None, findings
     system, z, findings = standing(made.quantities, made.structure)
     if z is None:
-        return None, made.spelled.home(findings)
+        return None, made.spelled.with_file_paths(findings)
     structure = Structure(made.structure.topology, ())
     still = Still(
         made.mechanism,

@@ -86,7 +86,7 @@ class Axes:
         for value in ticks(*self.y, 5):
             y = float(self.up(np.array(value)))
             lines.append(f"M{LEFT:.0f} {y:.1f}H{WIDTH - RIGHT:.0f}")
-            numbers.append(f'<text x="{LEFT - 6:.0f}" y="{y + 4:.1f}" text-anchor="end">{_number_text(value)}</text>')
+            numbers.append(f'<text x="{LEFT - 6:.0f}" y="{y + 4:.1f}" text-anchor="end">{number_text(value)}</text>')
         middle = (LEFT + WIDTH - RIGHT) / 2
         numbers.append(f'<text x="{middle:.0f}" y="{HEIGHT - 5:.0f}" text-anchor="middle">{markup(self.label)}</text>')
         return (
@@ -97,7 +97,7 @@ class Axes:
     def _below(self) -> list[tuple[float, str, bool]]:
         """What stands below: where, the text, whether a line goes up from it."""
         if self.names is None:
-            return [(value, _number_text(value), True) for value in ticks(*self.x, 6)]
+            return [(value, number_text(value), True) for value in ticks(*self.x, 6)]
         room = int((WIDTH - LEFT - RIGHT) / LETTER / max(len(self.names), 1))
         return [(i + 0.5, markup(shortened(name, room)), False) for i, name in enumerate(self.names)]
 
@@ -128,7 +128,8 @@ def ticks(low: float, high: float, count: int) -> list[float]:
     return [k * step for k in range(first, last + 1)]
 
 
-def _number_text(value: float) -> str:
+def number_text(value: float) -> str:
+    """A number at an axis."""
     return f"{value:.7g}".replace("-", "−")
 
 

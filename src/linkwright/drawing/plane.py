@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.drawing.charts import LETTER, named, points, ticks
+from linkwright.drawing.charts import LETTER, named, number_text, points, ticks
 from linkwright.escape import markup
 from linkwright.findings import Joined, Text
 from linkwright.presentation.lettering import FONT, folded
@@ -72,19 +72,17 @@ class PicturePlane:
         for value in ticks(self.low[0], self.high[0], 6):
             x = float(self.to_picture(np.array(value), np.array(0.0))[0])
             lines.append(f"M{x:.1f} {TOP:.0f}V{self.bottom:.1f}")
-            numbers.append(f'<text x="{x:.1f}" y="{self.bottom + 14:.1f}" text-anchor="middle">{_number(value)}</text>')
+            numbers.append(
+                f'<text x="{x:.1f}" y="{self.bottom + 14:.1f}" text-anchor="middle">{number_text(value)}</text>'
+            )
         for value in ticks(self.low[1], self.high[1], 6):
             y = float(self.to_picture(np.array(0.0), np.array(value))[1])
             lines.append(f"M{LEFT:.0f} {y:.1f}H{self.right:.1f}")
-            numbers.append(f'<text x="{LEFT - 6:.0f}" y="{y + 4:.1f}" text-anchor="end">{_number(value)}</text>')
+            numbers.append(f'<text x="{LEFT - 6:.0f}" y="{y + 4:.1f}" text-anchor="end">{number_text(value)}</text>')
         label = named(Joined("xy"), self.unit)
         middle = (LEFT + self.right) / 2
         numbers.append(f'<text x="{middle:.0f}" y="{self.bottom + 30:.1f}" text-anchor="middle">{markup(label)}</text>')
         return f'<path class="grid" d="{"".join(lines)}"/>{"".join(numbers)}'
-
-
-def _number(value: float) -> str:
-    return f"{value:.7g}".replace("-", "−")
 
 
 def framed_box(boxes: Iterable[Bounds]) -> Bounds:

@@ -100,6 +100,22 @@ class LooseJoint(Protocol):
         guide across it at its centre (m) and the tilt (rad), of a flank along its normal (m)."""
 
 
+class AnyDirection:
+    """What a joint with clearance shares with others whose displacement is one vector of any direction."""
+
+    kind: ClassVar[str] = "pin"
+    flank: ClassVar[int] = 0
+    round: ClassVar[bool] = True
+
+    def size(self, parts: Sequence[Any]) -> Any:
+        x, y = parts
+        return np.hypot(x, y)
+
+    def displacement(self, seats: Seats) -> tuple[Any, ...]:
+        ((x, y),) = seats
+        return x, y
+
+
 @dataclass(frozen=True)
 class OnFlank:
     """A link that touches the other along a normal, on either flank or with ``flank`` on that of this sign alone.

@@ -100,7 +100,7 @@ class FollowerEntry(JointEntry):
 
 
 @dataclass(frozen=True)
-class Riding:
+class MotorRelation:
     """How a follower's ``value`` follows, and what ``total`` of its law places a second contact (rad or m)."""
 
     value: Value
@@ -120,7 +120,7 @@ class UnitEffort:
 @dataclass(frozen=True)
 class Follower(MoverSignals, ABC):
     """A joint that has ``link`` follow the drive ``motor``: ``turning`` about its pin on the link ``on``, or along the
-    slide ``joint`` of both. ``turned`` is the sign by which the motor's value counts where its law is asked."""
+    slide ``joint`` of both. ``motor_sign`` is the sign by which the motor's value counts where its law is asked."""
 
     entry: Any
     link: str
@@ -128,7 +128,7 @@ class Follower(MoverSignals, ABC):
     turning: bool
     motor: str
     joint: str | None = None
-    turned: int = 1
+    motor_sign: int = 1
 
     kind: ClassVar[str]
     """As files have it."""
@@ -207,18 +207,18 @@ class Follower(MoverSignals, ABC):
         return False
 
     @abstractmethod
-    def riding(self, geometry: FollowerGeometry, motions: Motions) -> Riding:
+    def relation(self, geometry: FollowerGeometry, motions: Motions) -> MotorRelation:
         """How its value follows from that of its motor; ``geometry`` is at the nominal parameters."""
 
     def acting(self, name: str, poses: PoseQuery, ratio: Scalar) -> UnitEffort:
-        """What its effort does, where the value changes by ``ratio`` with the motor's (which counts as ``turned``).
+        """What its effort does, where the value changes by ``ratio`` with the motor's (which counts as ``motor_sign``).
 
         Unless a kind knows where its links touch: by duality. The effort acts at the joint of link and ``on`` and,
         times the ratio and the other way round, at that of the motor, so that the two do no work together.
         """
         found = dict(poses.unit(name))
         for link, wrench in poses.unit(self.motor).items():
-            geared = wrench.times(-(self.turned * ratio))
+            geared = wrench.times(-(self.motor_sign * ratio))
             found[link] = found[link].plus(geared) if link in found else geared
         return UnitEffort(found)
 

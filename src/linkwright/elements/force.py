@@ -109,8 +109,7 @@ class ForceContext(LinkPoses, Protocol):
         """Whether the pose lies in the window in which the element acts."""
 
     def turns(self, name: str) -> Scalar:
-        """The whole turns of the angle between the links that the kind has ``turned``, to be added to what their axes
-        tell."""
+        """The whole turns of the kind's ``counted_angle``, to be added to the angle between the axes of its links."""
 
 
 class ForceReports(MoverReports, Protocol):
@@ -172,7 +171,7 @@ class ForceKind(ABC, Generic[E]):
 
     def signals(self, entry: E) -> Mapping[str, Dimension]:
         """The attributes of ``NAME.`` with their dimensions (SI); elements that have some, or whole turns counted
-        (:meth:`turned`), share no name."""
+        (:meth:`counted_angle`), share no name."""
         return {}
 
     def effort(self, entry: E) -> str:
@@ -210,11 +209,13 @@ class ForceKind(ABC, Generic[E]):
         """The tables that it asks, besides those in its laws."""
         return ()
 
-    def turned(self, entry: E) -> tuple[str, str] | None:
+    def counted_angle(self, entry: E) -> tuple[str, str] | None:
         """The two links of the angle of which whole turns matter to it: that of the first against the second."""
         return None
 
-    def home(self, entry: E, value: Callable[[Expression, Dimension], Any], middle: Callable[[str], float]) -> Any:
+    def start_angle(
+        self, entry: E, value: Callable[[Expression, Dimension], Any], middle: Callable[[str], float]
+    ) -> Any:
         """Where (rad) that angle starts, within half a turn; ``value`` gives its numbers, ``middle`` that of a table's
         arguments."""
         return 0.0

@@ -193,7 +193,7 @@ class JointReports(Protocol):
     def point_position(self, link: str, local: Any) -> Array:
         """A link's point in the frame (m)."""
 
-    def turned(self, link: str, local: Any) -> Array:
+    def rotated(self, link: str, local: Any) -> Array:
         """A vector fixed in a link, in the frame."""
 
     def line(self, joint: str, link: str) -> tuple[Array, Array]:

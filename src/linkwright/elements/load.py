@@ -113,9 +113,9 @@ class Loads(ForceKind[Load]):
         if entry.along:
             joint = geometry.mechanism.joints[entry.along]
             heading = geometry.line(entry.along, joint.links[0])[1]
-            force = force.turned(bodies[joint.links[0]].direction(heading).now)
+            force = force.rotated(bodies[joint.links[0]].direction(heading).now)
         elif entry.in_ and entry.in_ != FRAME:
-            force = force.turned(bodies[entry.in_].axis.now)
+            force = force.rotated(bodies[entry.in_].axis.now)
         wrench = Wrench(force, torque, bodies[entry.on].point(geometry.place(entry.on, entry.at)).now)
         yield entry.on, wrench
         if entry.against:
@@ -136,7 +136,7 @@ class Loads(ForceKind[Load]):
             heading = geometry.line(entry.along, turns_with)[1]
             local = Pair(force.x * heading.x, force.x * heading.y)
         place = reports.point_position(entry.on, geometry.place(entry.on, entry.at))
-        acts = reports.turned(turns_with, local)
+        acts = reports.rotated(turns_with, local)
         found: list[Applied] = [(entry.on, acts, place, torque)]
         return [*found, (entry.against, -acts, place, -torque)] if entry.against else found
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 
-from linkwright.elements.clearance import Axis, Known, Rows, Seats, StatedClearance
+from linkwright.elements.clearance import AnyDirection, Axis, Known, Rows, Seats, StatedClearance
 from linkwright.elements.joint import (
     Array,
     ContactReaction,
@@ -53,7 +53,7 @@ class OuterPin:
 
     def driven_body(self, base: Body, law: Jet) -> Body:
         turn = base.turn + law.rate() if law.order else base.turn
-        body = self.place(base.axis.now.turned(unit_vector(law.d[0])), turn)
+        body = self.place(base.axis.now.rotated(unit_vector(law.d[0])), turn)
         known = None if base.angle is None else base.angle + law.d[0]
         return Body(body.anchor, body.local, body.axis, body.turn, known)
 
@@ -97,15 +97,12 @@ class InnerPin(LowerPair):
 
 
 @dataclass(frozen=True)
-class OnPin:
+class OnPin(AnyDirection):
     """A link on a pin, or on the other link there: the pin's journal lies in the bearing at ``clearance``."""
 
     joint: str
     links: tuple[str, str]
     clearance: float
-    kind: ClassVar[str] = "pin"
-    flank: ClassVar[int] = 0
-    round: ClassVar[bool] = True
 
     @property
     def plays(self) -> tuple[str, str]:
@@ -128,14 +125,6 @@ class OnPin:
         # The play moves the place on the link that is held: where it goes, the link goes the other way.
         (x, y), (cos, sin) = by, (rows[name] for name in self.places)
         return [(y * sin - x * cos, -(x * sin) - y * cos)]
-
-    def size(self, parts: Sequence[Any]) -> Any:
-        x, y = parts
-        return np.hypot(x, y)
-
-    def displacement(self, seats: Seats) -> tuple[Any, Any]:
-        ((x, y),) = seats
-        return x, y
 
 
 @register

@@ -310,7 +310,7 @@ class PinInSlot(JointKind):
             return inner.slot.travel(x, y).d[self.orders[attribute]]
         normal = inner.slot.normal(x.d[0], y.d[0])
         # Reported is the force of the pinned link on the slot, which answers with the opposite.
-        return -reaction(a).force.dot(normal.turned(bodies[b].direction(inner.heading).now))
+        return -reaction(a).force.dot(normal.rotated(bodies[b].direction(inner.heading).now))
 
     def outline(self, geometry: JointGeometry, joint: str, low: float, high: float) -> list[tuple[str, Array]]:
         """The slot's centre line between two travels (m), on the slotted link."""
@@ -370,7 +370,7 @@ def _reported_contact(reports: JointReports, joint: str) -> tuple[Array, Array, 
         size = np.hypot(*away)
         return place, -away / size, float(geometry.number(entry.arc.radius, u.LENGTH)) - size
     angle = float(geometry.number(entry.axis.angle, u.ANGLE))
-    along = reports.turned(b, (np.cos(angle), np.sin(angle)))
+    along = reports.rotated(b, (np.cos(angle), np.sin(angle)))
     left = np.array([-along[1], along[0]])
     x, y = (away * along).sum(axis=0), (away * left).sum(axis=0)
     if entry.curve is None:

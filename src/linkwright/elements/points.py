@@ -8,7 +8,7 @@ FRAME = "frame"
 """The name of the link that doesn't move."""
 
 
-def homes(mechanism: Any) -> dict[str, str]:
+def links_of_points(mechanism: Any) -> dict[str, str]:
     """The first link that carries each point name: what ``E.x`` refers to."""
     found: dict[str, str] = {}
     for link, entry in mechanism.links.items():

@@ -28,7 +28,7 @@ from linkwright.elements.force import (
     register,
 )
 from linkwright.elements.joint import Applied
-from linkwright.elements.points import homes
+from linkwright.elements.points import links_of_points
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Name
 from linkwright.expressions.language import Name as Signal
@@ -127,7 +127,7 @@ class Spring(ForceEntry):
     def end_points(self, mechanism: Any) -> tuple[tuple[str, str], tuple[str, str]]:
         """Link and point of each end of one between two points; a pinned point counts as its first link's."""
         points = (str(self.from_), str(self.to))
-        first = homes(mechanism)
+        first = links_of_points(mechanism)
         links = self.in_ or (first[points[0]], first[points[1]])
         return (links[0], points[0]), (links[1], points[1])
 
@@ -159,7 +159,7 @@ class Springs(ForceKind[Spring]):
         return entry.effort
 
     def faults(self, mechanism: Any, path: Path, entry: Spring) -> Iterator[Finding]:
-        points = homes(mechanism)
+        points = links_of_points(mechanism)
         ends: tuple[str | None, str | None] = (entry.turns, entry.on)
         if not entry.torsional:
             ends = entry.in_ or (points.get(str(entry.from_)), points.get(str(entry.to)))
@@ -175,10 +175,12 @@ class Springs(ForceKind[Spring]):
         argument = Signal(f"{name}.{entry.measure}")
         return tuple(AskedTable(entry.table, argument, integral) for integral in (False, True)) if entry.table else ()
 
-    def turned(self, entry: Spring) -> tuple[str, str] | None:
+    def counted_angle(self, entry: Spring) -> tuple[str, str] | None:
         return (str(entry.turns), str(entry.on)) if entry.torsional else None
 
-    def home(self, entry: Spring, value: Callable[[Expression, Dimension], Any], middle: Callable[[str], float]) -> Any:
+    def start_angle(
+        self, entry: Spring, value: Callable[[Expression, Dimension], Any], middle: Callable[[str], float]
+    ) -> Any:
         if entry.table:
             return middle(entry.table)
         return 0.0 if entry.free is None else value(entry.free, u.ANGLE)
@@ -367,7 +369,7 @@ def _reported_state(
         return length, rate, along, ends
     nowhere = np.zeros((2, reports.count))
     links = [str(entry.turns), str(entry.on)]
-    (c, s), (c0, s0) = (reports.turned(link, (1.0, 0.0)) for link in links)
+    (c, s), (c0, s0) = (reports.rotated(link, (1.0, 0.0)) for link in links)
     angle = np.arctan2(s * c0 - c * s0, c * c0 + s * s0)
     turns = np.round((reports.rows[f"{name}.angle"] - angle) / (2 * np.pi))
     omega, omega0 = (reports.omega(link) for link in links)

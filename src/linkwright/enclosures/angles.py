@@ -74,9 +74,9 @@ def stretches(polynomials: Polynomials) -> Stretches:
         parts: list[Stretches] = []
         hopeful = np.ones(of.size, dtype=bool)
         for level in range(1, LEVELS + 2):
-            told = _Told(polynomials, of, low, high)
-            vague = told.vague & hopeful
-            parts += [told.single(), told.double(), told.undecided(told.vague & ~vague)]
+            counts = _ZeroCounts(polynomials, of, low, high)
+            vague = counts.vague & hopeful
+            parts += [counts.single(), counts.double(), counts.undecided(counts.vague & ~vague)]
             if not vague.any():
                 break
             width = 2 * np.pi / PANELS * 2.0 ** (1 - level)
@@ -177,7 +177,7 @@ class _About:
         return value - away, value + away
 
 
-class _Told:
+class _ZeroCounts:
     """What the signs of the derivatives tell of the zeros in stretches."""
 
     def __init__(self, polynomials: Polynomials, of: Rows, low: Array, high: Array) -> None:
@@ -235,7 +235,7 @@ class _Told:
         return self._stretches(which, 0, *self._middle_and_half(which), unknown)
 
 
-def turned(phi: Array, away: AffineForm) -> tuple[AffineForm, AffineForm]:
+def cosine_and_sine(phi: Array, away: AffineForm) -> tuple[AffineForm, AffineForm]:
     """Cosine and sine of angles ``phi`` + ``away``, by Taylor's formula."""
     most = (away.magnitude_bound + away.rest) * (1 + FEW)
     wide, most = most > 1.0, np.minimum(most, 1.0)

@@ -155,7 +155,7 @@ def arctan(x: Any) -> TaylorModel:
 def arctan2(y: Any, x: Any) -> TaylorModel:
     """The angle of the vector (x, y); across the cut it lies between -pi and pi."""
     y, x = lift(y), lift(x)
-    found = turned(y, x)
+    found = continuous_angle(y, x)
     on = y.on or x.on
     if on is None:
         return found
@@ -169,7 +169,7 @@ def arctan2(y: Any, x: Any) -> TaylorModel:
     return TaylorModel(c, where_bounded(np.where(sure, found.r, 3.1415926535897936), y, x), on)
 
 
-def turned(y: TaylorModel, x: TaylorModel) -> TaylorModel:
+def continuous_angle(y: TaylorModel, x: TaylorModel) -> TaylorModel:
     """The angle of a vector, from its value in the middle on without jumps: past pi where it goes there.
 
     The vector is turned back by that value; what is left is an arc tangent.

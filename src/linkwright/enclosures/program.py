@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from linkwright.enclosures import intervals
 from linkwright.enclosures.forms import FEW, UNIT, AffineForm
-from linkwright.enclosures.functions import turned
+from linkwright.enclosures.functions import continuous_angle
 from linkwright.enclosures.intervals import Intervals
 from linkwright.enclosures.taylor import FUNCTIONS, TaylorModel
 from linkwright.graph.program import ExpressionStage
@@ -45,7 +45,7 @@ def taylor(strict: bool = False, dtype: Any = np.float64) -> EnclosureKind:
     """Taylor models. Angles of vectors run on past pi, from their values in the middle; ``strict`` ones jump there.
     ``dtype`` is what constants are computed with."""
     own: dict[str, Function] = {"reciprocal": lambda a: a.inverse(), "square": lambda a: a * a}
-    angle = FUNCTIONS["arctan2"] if strict else turned
+    angle = FUNCTIONS["arctan2"] if strict else continuous_angle
     named = {name: FUNCTIONS[name] for name in NAMES}
     return EnclosureKind({**ARITHMETIC, **named, **own, "arctan2": angle}, lambda v: TaylorModel.number(v, dtype=dtype))
 

@@ -9,12 +9,12 @@ from typing import Annotated, Any
 from pydantic import BeforeValidator, WithJsonSchema
 
 from linkwright.expressions.field_schema import NAME
+from linkwright.expressions.full_width import TO_ASCII
 from linkwright.expressions.language import ExpressionError, Node, Number, parse
 from linkwright.expressions.parser import reads
 from linkwright.expressions.respelled import syntax_fault
 from linkwright.expressions.typed_fields import Quantity, Ref, Sign
 from linkwright.expressions.units import ANGLE, LENGTH
-from linkwright.expressions.wide import WIDE
 from linkwright.expressions.written import (
     MAX_NAME,
     Frozen,
@@ -120,7 +120,7 @@ def pair(wanted: str) -> Callable[[Any], Any]:
     """A validator of lists of two; ``wanted`` is the phrase that says what they hold."""
 
     def check(raw: Any) -> Any:
-        if isinstance(raw, str) and len(raw) <= MAX_NAME and (both := _BOTH.fullmatch(raw.translate(WIDE))):
+        if isinstance(raw, str) and len(raw) <= MAX_NAME and (both := _BOTH.fullmatch(raw.translate(TO_ASCII))):
             raise unexpected(wanted, raw, Term("write-bare", text=f"[{both[1]}, {both[2]}]"))
         if not isinstance(raw, list | tuple) or len(raw) != 2:
             raise unexpected(wanted, raw)

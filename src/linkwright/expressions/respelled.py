@@ -10,11 +10,11 @@ import re
 import unicodedata
 from collections.abc import Callable, Collection
 
+from linkwright.expressions.full_width import TO_ASCII
 from linkwright.expressions.parser import reads, tokens
 from linkwright.expressions.respelled_units import inverse, multiple, pi, speed, units
 from linkwright.expressions.synonyms import unit_meant
 from linkwright.expressions.units import UnitError, is_unit, unit
-from linkwright.expressions.wide import WIDE
 from linkwright.expressions.written import Fault
 from linkwright.findings import Term
 
@@ -31,7 +31,7 @@ def respelled(text: str, known: Collection[str] = ()) -> tuple[Term, Term] | Non
     names that mean what they say."""
     if len(text) > _LONGEST:
         return None
-    if (found := _as_drawn(text.strip().translate(WIDE))) is not None:
+    if (found := _as_drawn(text.strip().translate(TO_ASCII))) is not None:
         return None if text.strip() in known else found
     why, meant = None, text
     for reason, rule in _RULES.items():
@@ -94,7 +94,7 @@ _GROUPED = re.compile(r"(?<![\w.,])\d{1,3}(?:(?:\.\d{3})+,\d+|(?:,\d{3})+\.\d+|(
 
 
 def _wide(text: str, known: Collection[str]) -> str:
-    return text.translate(WIDE)
+    return text.translate(TO_ASCII)
 
 
 def _degrees(text: str, known: Collection[str]) -> str:

@@ -19,8 +19,8 @@ from pydantic import (
 )
 from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, core_schema
 
+from linkwright.expressions.full_width import TO_ASCII
 from linkwright.expressions.schema_texts import description
-from linkwright.expressions.wide import WIDE
 from linkwright.findings import Term
 
 NO_TEXT = re.compile(r"[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
@@ -228,7 +228,7 @@ class Written:
     def unexpected(self, wanted: str, raw: Any) -> PydanticCustomError:
         """A fault: something else is wanted, with what is meant where it is in another spelling."""
         given = str(raw).strip() if isinstance(raw, str | int | float) and not isinstance(raw, bool) else ""
-        half = given.translate(WIDE).strip()
+        half = given.translate(TO_ASCII).strip()
         if half != given and self._within(half) == half:
             return unexpected(wanted, raw, Term("write", text=half))
         for pattern, meant in self.spellings.items():

@@ -104,9 +104,9 @@ class Actions:
         return [way.node for way in self.breaks if way.jumps]
 
     @cached_property
-    def turned(self) -> dict[str, tuple[Acting, tuple[str, str]]]:
+    def counted_angles(self) -> dict[str, tuple[Acting, tuple[str, str]]]:
         """By name what follows the angle between two links over whole turns, and these."""
-        found = ((one, one.kind.turned(one.entry)) for one in self.every)
+        found = ((one, one.kind.counted_angle(one.entry)) for one in self.every)
         return {one.name: (one, links) for one, links in found if links is not None}
 
     @cached_property
@@ -116,7 +116,7 @@ class Actions:
         links = [s.owners[0] for s in self.signals if s.kind in ("link", "drive") and s.attribute == "angle"]
         return (
             *(link for link in links if self.graph.wraps(link)),
-            *(name for name, (_, pair) in self.turned.items() if any(map(self.graph.wraps, pair))),
+            *(name for name, (_, pair) in self.counted_angles.items() if any(map(self.graph.wraps, pair))),
         )
 
     @cached_property

@@ -66,7 +66,7 @@ class Tracer:
         self.system, self.drive = system, drive
         self.turns = system.topology.mechanism.prescribed(drive).turns is not None
         self.patience = int(min(STEPS, WORK / system.width**2))
-        finest = min((ride.finest for ride in system.riding.values()), default=LONGEST)
+        finest = min((relation.finest for relation in system.relations.values()), default=LONGEST)
         self.longest = min(LONGEST, max(finest, FINE))
 
     @property

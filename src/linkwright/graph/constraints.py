@@ -34,8 +34,8 @@ class FollowerRelation:
 
 
 class Constraints:
-    """Residuals and slopes of all joints, of drives that are held and of followers that ride on their motors; ``size``
-    is the unit of length (m).
+    """Residuals and slopes of all joints, of drives that are held and of followers that move with their motors;
+    ``size`` is the unit of length (m).
 
     ``rows[k]`` names the joint or drive of residual k. Lengths come out over the size, directions as sines. The
     direction of a slide that closes a loop of slides follows from the others' and is left out, unless ``whole``.
@@ -47,7 +47,7 @@ class Constraints:
         self.index = {link: i for i, link in enumerate((*topology.moving, FRAME))}  # the frame last
         self.width = 3 * len(self.links)
         self.held: Mapping[str, float] = {}
-        self.riding: Mapping[str, FollowerRelation] = {}
+        self.relations: Mapping[str, FollowerRelation] = {}
         pins: list[tuple[str, str, str, Any, Any]] = []
         for pin in topology.pins.values():
             first = pin.links[0]
@@ -72,13 +72,13 @@ class Constraints:
     @property
     def rows(self) -> tuple[str, ...]:
         """Whose each residual is."""
-        return (*self.names, *self.held, *self.riding)
+        return (*self.names, *self.held, *self.relations)
 
     def set_drive_values(
-        self, drives: Mapping[str, float], riding: Mapping[str, FollowerRelation] | None = None
+        self, drives: Mapping[str, float], relations: Mapping[str, FollowerRelation] | None = None
     ) -> None:
         """Add the equations of drives at these values (rad or m), and of followers that move with their motors."""
-        self.held, self.riding = drives, riding or {}
+        self.held, self.relations = drives, relations or {}
 
     def pose(self, bodies: dict[str, Body]) -> Array:
         """The pose that some bodies have: (3 links,)."""
@@ -95,8 +95,8 @@ class Constraints:
         at = self._poses(z)
         gaps = self.pins.place(at, 0) - self.pins.place(at, 1)
         between, across = self._slides(at)
-        wanted = {**self.held, **{n: ride.at(self.value(ride.motor, z))[0] for n, ride in self.riding.items()}}
-        driven = [self._missed(name, self.value(name, z) - value) for name, value in wanted.items()]
+        followed = {n: relation.at(self.value(relation.motor, z))[0] for n, relation in self.relations.items()}
+        driven = [self._missed(name, self.value(name, z) - value) for name, value in {**self.held, **followed}.items()]
         joints = np.concatenate([gaps.T.ravel(), np.stack([between, across], axis=1).ravel()])
         return np.concatenate([joints[self.kept], self._other_gaps(at), driven])
 
@@ -157,9 +157,9 @@ class Constraints:
         if lines:
             self._line_slopes(j[2 * pins :], at)
         driven = [self.gradient(name, z) for name in self.held]
-        for name, ride in self.riding.items():
-            slope = ride.at(self.value(ride.motor, z))[1] / (1.0 if self._turns(name) else self.size)
-            driven.append(self.gradient(name, z) - slope * self.gradient(ride.motor, z))
+        for name, relation in self.relations.items():
+            slope = relation.at(self.value(relation.motor, z))[1] / (1.0 if self._turns(name) else self.size)
+            driven.append(self.gradient(name, z) - slope * self.gradient(relation.motor, z))
         others = self._other_slopes(at)[:, : self.width]
         return np.concatenate([j[self.kept, : self.width], others, np.array(driven).reshape(-1, self.width)])
 

@@ -155,7 +155,7 @@ class Inverse:
         for name in self.drives:
             drive = topology.mechanism.prescribed(name)
             yield from (
-                own.turned(drive)
+                own.drive_axis(drive)
                 if drive.turns
                 else own.slide_value(drive, topology.drivable_joints(name)[0].joint).d[:1]
             )
@@ -175,13 +175,13 @@ class Inverse:
             c, s, *at = (x[row + i] for i in range(4))
             polynomial, misses = system.polynomial(c, s), ca.vertcat(*system.misses(c, s, Pair(*at)))
 
-            def turned(rows: Any, c: Any = c, s: Any = s) -> Any:
+            def rotated(rows: Any, c: Any = c, s: Any = s) -> Any:
                 return c * ca.jacobian(rows, s) - s * ca.jacobian(rows, c)
 
-            slopes = ca.horzcat(turned(misses), ca.jacobian(misses, ca.vertcat(*at)))
+            slopes = ca.horzcat(rotated(misses), ca.jacobian(misses, ca.vertcat(*at)))
             rows = {
                 "polynomial": [polynomial],
-                "slope": [polynomial, turned(polynomial)],
+                "slope": [polynomial, rotated(polynomial)],
                 "place": system.place(c, s),
                 "rooms": system.rooms(c, s),
                 "misses": [misses, ca.reshape(ca.densify(slopes).T, -1, 1)],

@@ -12,8 +12,9 @@ from dataclasses import dataclass
 from linkwright.elements import InnerLine, InnerPin, OuterLine, OuterPin
 from linkwright.graph.motion import Motion
 from linkwright.graph.placing import driven_body, inner_joint, outer_joint
+from linkwright.groups.dyad import length
 from linkwright.notation import Body, Jet, Pair, Scalar
-from linkwright.notation.jets import call, is_zero
+from linkwright.notation.jets import is_zero
 from linkwright.structure import Connection, HigherGroup
 
 Row = tuple[Scalar, Scalar, Scalar]
@@ -64,8 +65,8 @@ def parts(motion: Motion, higher_group: HigherGroup, drives: dict[str, Jet]) -> 
     """The higher group's rigid bodies: its links, those held to each other by drives as one."""
     groups: list[list[str]] = []
     for edge in higher_group.edges:
-        home = next((g for g in groups if edge.base in g), None) if edge.drive is not None else None
-        groups.append([edge.link]) if home is None else home.append(edge.link)
+        joined = next((g for g in groups if edge.base in g), None) if edge.drive is not None else None
+        groups.append([edge.link]) if joined is None else joined.append(edge.link)
     kept = dict(motion.bodies)
     found = []
     for group in groups:
@@ -122,7 +123,7 @@ class Equation:
             self.on_heading = platform.heading(leg.on, inner.second_heading)
         if isinstance(outer, OuterLine):
             self.along = outer.direction.now
-            self.turned = unit(self.along.turned_back(part.heading(leg.links[0], outer.heading)))  # the leg's axis
+            self.leg_axis = unit(self.along.rotated_back(part.heading(leg.links[0], outer.heading)))  # the leg's axis
 
     @property
     def arm(self) -> Pair:
@@ -144,10 +145,10 @@ class CircleLeg(Equation):
 
     def centre(self, c: Scalar, s: Scalar, reference: Pair) -> Pair:
         """The centre of the reference point's circle."""
-        return self.base.minus(self.on.minus(reference).turned(Pair(c, s)))
+        return self.base.minus(self.on.minus(reference).rotated(Pair(c, s)))
 
     def place(self, platform: Body) -> Body:
-        x, y = platform.point(self.on).now.minus(self.base).turned_back(self.arm)
+        x, y = platform.point(self.on).now.minus(self.base).rotated_back(self.arm)
         square = self.arm.dot(self.arm)  # of a pose both lengths are the same
         return Body.still(self.base, self.foot, Pair(x / square, y / square))
 
@@ -164,12 +165,12 @@ class SlideOnBase(Linear):
     """The slide is on a known link."""
 
     def row(self, c: Scalar, s: Scalar, reference: Pair) -> Row:
-        normal, arm = self.along.perp, self.arm.turned(self.turned)
-        on = self.on.minus(reference).turned(Pair(c, s))
+        normal, arm = self.along.perp, self.arm.rotated(self.leg_axis)
+        on = self.on.minus(reference).rotated(Pair(c, s))
         return normal.x, normal.y, normal.dot(on) - normal.dot(Pair(self.base.x + arm.x, self.base.y + arm.y))
 
     def place(self, platform: Body) -> Body:
-        return Body.still(platform.point(self.on).now, self.tip, self.turned)
+        return Body.still(platform.point(self.on).now, self.tip, self.leg_axis)
 
 
 class SlideOnPlatform(Linear):
@@ -177,11 +178,11 @@ class SlideOnPlatform(Linear):
 
     def row(self, c: Scalar, s: Scalar, reference: Pair) -> Row:
         axis, offset = Pair(c, s), self.arm.dot(self.tip_heading.perp)
-        normal, on = self.on_heading.perp.turned(axis), self.on.minus(reference).turned(axis)
+        normal, on = self.on_heading.perp.rotated(axis), self.on.minus(reference).rotated(axis)
         return normal.x, normal.y, normal.dot(on.minus(self.base)) - offset
 
     def place(self, platform: Body) -> Body:
-        return Body.still(self.base, self.foot, platform.direction(self.on_heading).now.turned_back(self.tip_heading))
+        return Body.still(self.base, self.foot, platform.direction(self.on_heading).now.rotated_back(self.tip_heading))
 
 
 class Fixed(Equation):
@@ -189,15 +190,15 @@ class Fixed(Equation):
 
     def angle(self) -> float:
         """The platform's angle (rad)."""
-        axis = self.turned.turned(self.tip_heading).turned_back(self.on_heading)
+        axis = self.leg_axis.rotated(self.tip_heading).rotated_back(self.on_heading)
         return math.atan2(axis.y, axis.x)
 
     def place(self, platform: Body) -> Body:
         at, normal = platform.point(self.on).now, platform.direction(self.on_heading).now.perp
-        start = Body.still(self.base, self.foot, self.turned)
+        start = Body.still(self.base, self.foot, self.leg_axis)
         gap = at.minus(start.point(self.tip).now).dot(normal) / self.along.dot(normal)
         return Body.still(
-            Pair(self.base.x + gap * self.along.x, self.base.y + gap * self.along.y), self.foot, self.turned
+            Pair(self.base.x + gap * self.along.x, self.base.y + gap * self.along.y), self.foot, self.leg_axis
         )
 
 
@@ -208,11 +209,6 @@ EQUATIONS: dict[tuple[bool, bool], type[Equation]] = {
     (False, False): Fixed,
 }
 """By whether a leg's two joints are pins, from the known link inwards."""
-
-
-def length(v: Pair) -> Scalar:
-    """The length of a pair."""
-    return call("sqrt", v.dot(v))
 
 
 def unit(v: Pair) -> Pair:

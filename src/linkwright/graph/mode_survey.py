@@ -74,26 +74,26 @@ def survey(
     structure: Structure,
     values: Mapping[str, float],
     drive: str | None = None,
-    rides: Mapping[str, FollowerRelation] | None = None,
+    relations: Mapping[str, FollowerRelation] | None = None,
 ) -> Survey:
     """All modes at the drives' ``values`` (rad or m), and their circuits as ``drive`` moves and the others are held.
 
-    The followers among the drives move with their motors, by their ``rides``. Where there is one drive only beside
+    The followers among the drives move with their motors, by their ``relations``. Where there is one drive only beside
     them, it needn't be named. A mode that a circuit passes and that the search missed is added.
     """
-    rides = rides or {}
+    relations = relations or {}
     explorer = Explorer(quantities, structure, values)
     found = explorer.run()
-    motors = [name for name in values if name not in rides]
+    motors = [name for name in values if name not in relations]
     drive = drive or (motors[0] if len(motors) == 1 else None)
     result = Survey(found, drive, places=[None] * len(found.modes))
     if drive is None:
         _untold(found)
         return result
     system = Constraints(structure.topology, explorer.geometry, explorer.size)
-    riding = {name: ride for name, ride in rides.items() if ride.motor == drive}
+    followed = {name: relation for name, relation in relations.items() if relation.motor == drive}
     system.set_drive_values(
-        {name: value for name, value in values.items() if name != drive and name not in riding}, riding
+        {name: value for name, value in values.items() if name != drive and name not in followed}, followed
     )
     tracer = Tracer(system, drive)
     i = 0

@@ -309,7 +309,7 @@ class Explorer:
         bodies = self.motion.bodies
         places = {
             name: _place(bodies[link], self.geometry, link, name)
-            for name, link in self.quantities.signals.homes.items()
+            for name, link in self.quantities.signals.links_of_points.items()
         }
         lines = self.lines(branches, places)
         return Mode(branches, free, places, dict(bodies), lines, self.singular)

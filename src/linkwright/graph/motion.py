@@ -64,9 +64,9 @@ class Motion:
         travel = self.travel(joint)
         return travel if drive.link == self.geometry.mechanism.joints[joint].links[1] else -travel
 
-    def turned(self, drive: Mover) -> Pair:
+    def drive_axis(self, drive: Mover) -> Pair:
         """Cosine and sine of the value of a drive that turns as it follows from the motion."""
-        return self.bodies[drive.link].axis.now.turned_back(self.bodies[drive.on].axis.now)
+        return self.bodies[drive.link].axis.now.rotated_back(self.bodies[drive.on].axis.now)
 
     def unit(self, mover: str) -> dict[str, Wrench]:
         """What an effort of 1 N m or 1 N of a drive or follower would do at its own joint, by link."""

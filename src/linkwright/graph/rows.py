@@ -223,9 +223,9 @@ class RawAngle(Row):
     called = "raw/{owner}"
 
     def expression(self, view: View) -> Scalar:
-        bodies, turned = view.bodies, view.graph.actions.turned
-        if self.owner in turned:
-            link, base = turned[self.owner][1]
+        bodies, counted = view.bodies, view.graph.actions.counted_angles
+        if self.owner in counted:
+            link, base = counted[self.owner][1]
             return bodies[link].heading - bodies[base].heading
         prescribed = self.owner in view.graph.quantities.mechanism.movers
         return view.drive_value(self.owner, 0, whole=False) if prescribed else bodies[self.owner].heading

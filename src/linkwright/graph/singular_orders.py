@@ -34,5 +34,5 @@ def pole(view: View, signal: Signal) -> Scalar:
     step = Pair(beyond - speed.y / omega, beyond + speed.x / omega)
     if signal.attribute in ("x", "y"):
         return getattr(place, signal.attribute) + getattr(step, signal.attribute)
-    inside = step.turned_back(a.axis.now)
+    inside = step.rotated_back(a.axis.now)
     return a.local.x + inside.x if signal.attribute == "u" else a.local.y + inside.y

@@ -130,24 +130,24 @@ def _turned(local: Array, goals: Array) -> float | None:
 
 def _keeps_rules(quantities: Quantities, system: Constraints, z: Array) -> bool:
     """Whether a pose keeps the assembly rules that name a side."""
-    m, homes = quantities.mechanism, quantities.signals.homes
+    m, links_of_points = quantities.mechanism, quantities.signals.links_of_points
 
-    def turned(link: str, local: Pair) -> Array:
+    def rotated(link: str, local: Pair) -> Array:
         angle = 0.0 if link == FRAME else float(z[system.columns_of([link])[2]])
-        return np.array(local.turned(Pair(math.cos(angle), math.sin(angle))), dtype=float)
+        return np.array(local.rotated(Pair(math.cos(angle), math.sin(angle))), dtype=float)
 
     def point_position(point: str) -> Array:
-        link = homes[point]
+        link = links_of_points[point]
         start = np.zeros(2) if link == FRAME else z[system.columns_of([link])[:2]] * system.size
-        return np.asarray(start + turned(link, system.geometry.point(link, point)))
+        return np.asarray(start + rotated(link, system.geometry.point(link, point)))
 
     for name, rule in m.assembly.items():
-        if not rule.reference or name not in homes or any(point not in homes for point in rule.reference):
+        if not rule.reference or not {name, *rule.reference} <= links_of_points.keys():
             continue
         arm = point_position(name) - point_position(rule.reference[0])
         if rule.along:
             first = m.joints[rule.along].links[0]
-            side = float(arm @ turned(first, system.geometry.line(rule.along, first)[1]))
+            side = float(arm @ rotated(first, system.geometry.line(rule.along, first)[1]))
         else:
             line = point_position(rule.reference[1]) - point_position(rule.reference[0])
             side = float(line[0] * arm[1] - line[1] * arm[0])

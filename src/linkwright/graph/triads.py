@@ -22,9 +22,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.graph.geometry import ZERO
-from linkwright.graph.legs import EQUATIONS, CircleLeg, Fixed, Linear, Row, Triad, length
+from linkwright.graph.legs import EQUATIONS, CircleLeg, Fixed, Linear, Row, Triad
 from linkwright.graph.motion import Motion
 from linkwright.graph.placing import outer_joint
+from linkwright.groups.dyad import length
 from linkwright.notation import Body, Pair, Scalar
 from linkwright.structure import HigherGroup
 

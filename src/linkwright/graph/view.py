@@ -152,7 +152,7 @@ class View:
         return one.kind.signal(self, one.name, one.entry, signal.attribute)
 
     def point(self, signal: Signal) -> Scalar:
-        link = self.graph.quantities.signals.homes[signal.owners[0]]
+        link = self.graph.quantities.signals.links_of_points[signal.owners[0]]
         return _component(self.motion.bodies[link].point(self.motion.point(link, signal.owners[0])), signal)
 
     def com(self, signal: Signal) -> Scalar:
@@ -199,7 +199,7 @@ class View:
             return link.turn.d[order - 1] - on.turn.d[order - 1]
         if link.angle is not None and on.angle is not None:
             return link.angle - on.angle
-        turned = self.motion.turned(drive)
+        turned = self.motion.drive_axis(drive)
         raw = ca.atan2(turned.y, turned.x)
         return raw + 2 * ca.pi * self.given.get(f"turns/{name}", 0.0) if whole else raw
 

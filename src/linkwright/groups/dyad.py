@@ -172,7 +172,7 @@ class Dyad(ABC):
 def _stepped_coordinate(q: Coordinate, step: float) -> Coordinate:
     if not isinstance(q, Pair):
         return q + step
-    turned = q.turned(Pair(math.cos(step), math.sin(step)))
+    turned = q.rotated(Pair(math.cos(step), math.sin(step)))
     size = math.hypot(turned.x, turned.y)
     return Pair(turned.x / size, turned.y / size)
 
@@ -202,7 +202,7 @@ def length(v: Pair) -> Scalar:
 
 def pointing(arm: Pair, local: Pair) -> Pair:
     """The axis of a link whose arm of coordinates ``local`` points along ``arm`` (both of one length)."""
-    turned = arm.turned_back(local)
+    turned = arm.rotated_back(local)
     square = local.dot(local)
     return Pair(turned.x / square, turned.y / square)
 

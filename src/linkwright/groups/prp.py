@@ -28,6 +28,6 @@ class PRP(Dyad):
 
 def _start(slide: OuterLine, local: Pair) -> Pair:
     """Where the inner pin is when the slide's coordinate is zero."""
-    offset = local.minus(slide.foot).turned_back(slide.heading).turned(slide.direction.now)
+    offset = local.minus(slide.foot).rotated_back(slide.heading).rotated(slide.direction.now)
     base = slide.base.now
     return Pair(base.x + offset.x, base.y + offset.y)

@@ -16,11 +16,11 @@ class RPP(Dyad):
 
     def root(self, branch: Scalar) -> Root:
         hinge, slide = pin(self.first), line(self.second)
-        axis2 = slide.direction.now.turned_back(slide.heading)
-        heading = self.inner.second_heading.turned(axis2)
-        axis1 = heading.turned_back(self.inner.first_heading)
-        arm1 = self.inner.first.minus(hinge.foot).turned(axis1)
-        arm2 = self.inner.second.minus(slide.foot).turned(axis2)
+        axis2 = slide.direction.now.rotated_back(slide.heading)
+        heading = self.inner.second_heading.rotated(axis2)
+        axis1 = heading.rotated_back(self.inner.first_heading)
+        arm1 = self.inner.first.minus(hinge.foot).rotated(axis1)
+        arm2 = self.inner.second.minus(slide.foot).rotated(axis2)
         start = slide.base.now.minus(hinge.base.now)
         # Distance across the inner line, from the first link's point to the second's, at zero travel.
         across = heading.cross(Pair(start.x + arm2.x - arm1.x, start.y + arm2.y - arm1.y))

@@ -28,8 +28,8 @@ class RPR(Dyad):
         # The base vector is (along, across) in the line's frame: the line's direction follows.
         heading = Pair((along * base.x + across * base.y) / square, (along * base.y - across * base.x) / square)
         return Root(
-            heading.turned_back(self.inner.first_heading),
-            heading.turned_back(self.inner.second_heading),
+            heading.rotated_back(self.inner.first_heading),
+            heading.rotated_back(self.inner.second_heading),
             radicand / square,
         )
 
@@ -44,8 +44,8 @@ class RPR(Dyad):
 
     def _across(self) -> Scalar:
         """The distance of the second outer pin from the first, across the sliding line: fixed by the links."""
-        arm1 = self.inner.first.minus(pin(self.first).foot).turned_back(self.inner.first_heading)
-        arm2 = self.inner.second.minus(pin(self.second).foot).turned_back(self.inner.second_heading)
+        arm1 = self.inner.first.minus(pin(self.first).foot).rotated_back(self.inner.first_heading)
+        arm2 = self.inner.second.minus(pin(self.second).foot).rotated_back(self.inner.second_heading)
         return arm1.y - arm2.y
 
     def span(self) -> Scalar:

@@ -38,7 +38,7 @@ class RRP(Dyad):
         """The inner pin at zero travel as seen from the outer pin: along the line's direction and across it."""
         hinge, slide = pin(self.first), line(self.second)
         d = slide.direction.now
-        offset = self.inner.second.minus(slide.foot).turned_back(slide.heading).turned(d)
+        offset = self.inner.second.minus(slide.foot).rotated_back(slide.heading).rotated(d)
         start = slide.base.now.minus(hinge.base.now)
         start = Pair(start.x + offset.x, start.y + offset.y)
         return d.dot(start), d.cross(start)

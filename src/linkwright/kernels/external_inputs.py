@@ -37,7 +37,7 @@ class Supply:
         self.first = len(graph.motion_inputs)
         self.rows = {name: row for row, name in enumerate(graph.inputs)}
         actions = graph.actions
-        self.turns = {name: Turns(graph, name, self.home(name), kernel) for name in actions.turning}
+        self.turns = {name: Turns(graph, name, self.start_angle(name), kernel) for name in actions.turning}
         numbered = sorted(enumerate(actions.lookups), key=lambda lookup: lookup[1].level)
         self.levels: list[tuple[list[int], Kernel]] = []
         for _, group in groupby(numbered, key=lambda lookup: lookup[1].level):
@@ -45,12 +45,12 @@ class Supply:
             program = graph.program([TableArgument(i) for i in which], rates=True)
             self.levels.append((which, KERNELS[kernel](program)))
 
-    def home(self, name: str, quantities: Quantities | None = None) -> float | None:
+    def start_angle(self, name: str, quantities: Quantities | None = None) -> float | None:
         """The angle (rad) near which that of an acting element starts; the nominal one, or that of other quantities."""
-        if name not in self.graph.actions.turned:
+        if name not in self.graph.actions.counted_angles:
             return None
-        one, value = self.graph.actions.turned[name][0], (quantities or self.graph.quantities).value
-        found: float = one.kind.home(one.entry, value, lambda table: float(self.tables[table].x[[0, -1]].mean()))
+        one, value = self.graph.actions.counted_angles[name][0], (quantities or self.graph.quantities).value
+        found: float = one.kind.start_angle(one.entry, value, lambda table: float(self.tables[table].x[[0, -1]].mean()))
         return found
 
     def fill(self, x: Array, t: Array, p: Array, at: Callable[[Array], Array]) -> None:
@@ -91,12 +91,12 @@ class Supply:
 class Turns:
     """The whole turns of an angle that is known only modulo a turn: it runs on without jumps from t = 0.
 
-    There it lies within half a turn of ``home``, or where it is read off the axis without one.
+    There it lies within half a turn of ``start_angle``, or where it is read off the axis without one.
     """
 
-    def __init__(self, graph: Graph, name: str, home: float | None, kernel: str) -> None:
+    def __init__(self, graph: Graph, name: str, start_angle: float | None, kernel: str) -> None:
         self.kernel: Kernel = KERNELS[kernel](graph.program([RawAngle(name)], rates=True))
-        self.home = home
+        self.start_angle = start_angle
         self.t, self.angle = np.empty(0), np.empty(0)
 
     def __call__(self, x: Array, t: Array, p: Array, at: Callable[[Array], Array]) -> Array:
@@ -109,8 +109,8 @@ class Turns:
         if not self.t.size:
             self.t = np.zeros(1)
             self.angle = self.kernel.run(at(self.t), p)[0]
-            if self.home is not None:
-                self.angle = self.angle + 2 * np.pi * whole_turns(self.angle, self.home)
+            if self.start_angle is not None:
+                self.angle = self.angle + 2 * np.pi * whole_turns(self.angle, self.start_angle)
         steps, last, end = 32, float(self.t[-1]), to
         while end > last:
             grid = np.linspace(last, to, steps + 1)

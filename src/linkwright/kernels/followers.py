@@ -21,18 +21,18 @@ class FollowerLaw(DriveLaw):
     """The law of a follower; ``follower_value`` gives its value from that of its motor (rad or m) with its rates."""
 
     motor: str = ""
-    turned: int = 1
+    motor_sign: int = 1
     follower_value: Callable[[Jet, Parameters], Jet] | None = None
     total: float = 0.0
     """What of a motion law places a second contact."""
 
     def ratio(self, angle: Any, speed: Any, parameters: Parameters) -> tuple[Any, Any]:
-        """The derivative of the follower's value by the motor's (as ``turned``), and its rate in time, at that (rad)
-        and speed (rad/s); these and the parameters may be duals."""
+        """The derivative of the follower's value by the motor's (by ``motor_sign``), and its rate in time, at that
+        (rad) and speed (rad/s); these and the parameters may be duals."""
         assert self.follower_value is not None
         with np.errstate(all="ignore"):
             value = self.follower_value(Jet([angle, 1.0, 0.0]), parameters)
-            return self.turned * value.d[1], self.turned * value.d[2] * speed
+            return self.motor_sign * value.d[1], self.motor_sign * value.d[2] * speed
 
     def along(self, angle: float) -> tuple[float, float]:
         """The follower's value (rad or m) and its derivative by the motor's, at a value of that (rad)."""
@@ -59,15 +59,17 @@ def follower_law(
     follower = quantities.mechanism.followers[name]
     noted = Noting(quantities.parameters)
     with np.errstate(all="ignore"):  # what has no start is told by :func:`follower_faults`
-        relation = follower.riding(Geometry(quantities, noted), motions)
+        relation = follower.relation(Geometry(quantities, noted), motions)
 
     def follower_value(value: Jet, parameters: Parameters) -> Jet:
         return relation.value(Geometry(quantities, parameters), value)
 
     with np.errstate(all="ignore"):
         follower_value(Jet.constant(0.0, 1), noted)
-    names, turned = frozenset(noted.asked), follower.turned
-    made = FollowerLaw(motor.of, quantities.parameters, names, follower.motor, turned, follower_value, relation.total)
+    names, motor_sign = frozenset(noted.asked), follower.motor_sign
+    made = FollowerLaw(
+        motor.of, quantities.parameters, names, follower.motor, motor_sign, follower_value, relation.total
+    )
     return made.driven_by(motor)
 
 

@@ -50,13 +50,13 @@ def with_cut_cams(compiled: Compiled) -> Compiled:
 
 @dataclass(frozen=True)
 class _Pose:
-    """A cam pair at some angles of the motor: the cam is ``turned`` on its carrier, its law is asked ``at``; ``centre``
-    is that of the cam, from the place of the carrier that is put on the shaft's pin."""
+    """A cam pair at some angles of the motor: ``cam_angle`` is that of the cam on its carrier, ``at`` the one
+    at which its law is taken; ``centre`` is that of the cam, from the place of the carrier on the shaft's pin."""
 
     geometry: Geometry
     motion: Motion
     here: CamPair
-    turned: Jet
+    cam_angle: Jet
     at: Jet
     phase: Scalar
     centre: Vec
@@ -94,12 +94,12 @@ class _Cut:
         plan = replace(self.plan, base=here.base)
         if (wider := plays.get(f"{self.drive.cam.touches}/roller")) is not None:
             here = replace(here, roller=here.roller + wider)
-        turned = self.drive.turned * angle  # of the cam on its carrier
-        at = self.forward * turned + phase
+        cam_angle = self.drive.motor_sign * angle  # of the cam on its carrier
+        at = self.forward * cam_angle + phase
         cam, point = self.drive.cam.cam, self.drive.shaft[0]
         beside = geometry.point(cam, point).minus(geometry.pinned(cam, point))
-        moved = _turned(_vector(beside, at), turned)
-        pose = _Pose(geometry, self.motion.at_parameters(parameters), here, turned, at, phase, moved)
+        moved = _rotated(_vector(beside, at), cam_angle)
+        pose = _Pose(geometry, self.motion.at_parameters(parameters), here, cam_angle, at, phase, moved)
         found = (self.rolled if not plan.faced else self.flat_swinging if plan.turns else self.flat)(plan, pose)
         return found - self.turn
 
@@ -111,7 +111,7 @@ class _Cut:
 
         def spun(vector: Vec, at: Jet) -> Vec:
             """From the pose in which the law is asked at an angle to that of the cam."""
-            return _turned(vector, pose.turned - forward * (at - pose.phase))
+            return _rotated(vector, pose.cam_angle - forward * (at - pose.phase))
 
         def contact_point(at: Jet, centre: Vec, way: Vec) -> Vec:
             across = centre.plus(way.perp.times(forward))
@@ -137,10 +137,10 @@ class _Cut:
         if not here.turns:
             height: Jet = here.sign * _along(point.plus(pose.centre), here.way) + here.offset
             return height
-        angle = here.home + here.sign * (here.start + motion.on(pose.at))
+        angle = here.shaft_direction + here.sign * (here.start + motion.on(pose.at))
         meant, arm = Vec(angle.cos(), angle.sin()), point.minus(pivot)
         beyond: Jet = meant.cross(arm).arctan2(meant.dot(arm))
-        found: Jet = beyond + angle + (here.offset - here.home)
+        found: Jet = beyond + angle + (here.offset - here.shaft_direction)
         return found
 
     def centre(self, motion: Motion, plan: CamPair, at: Jet) -> tuple[Vec, Vec]:
@@ -150,7 +150,7 @@ class _Cut:
             right = Pair(plan.way.y, -plan.way.x)
             aside = _vector(Pair(plan.aside * right.x, plan.aside * right.y), at)
             return Vec(lift * plan.way.x, lift * plan.way.y).plus(aside), Vec(slope * plan.way.x, slope * plan.way.y)
-        angle = plan.home + plan.sign * lift
+        angle = plan.shaft_direction + plan.sign * lift
         arm = Vec(angle.cos(), angle.sin()).times(plan.reach)
         return _vector(plan.pivot.minus(plan.shaft), at).plus(arm), arm.perp.times(plan.sign * slope)
 
@@ -179,8 +179,8 @@ class _Cut:
 
         def swing(at: Jet) -> tuple[Jet, Jet]:
             """The face's angle as planned, and its own."""
-            angle = plan.home + plan.sign * (plan.start + motion.on(at))
-            return angle, angle + pose.turned - self.forward * (at - pose.phase)
+            angle = plan.shaft_direction + plan.sign * (plan.start + motion.on(at))
+            return angle, angle + pose.cam_angle - self.forward * (at - pose.phase)
 
         def step(at: Jet) -> Jet:
             rate = plan.sign * motion.on(at, 1)
@@ -190,7 +190,7 @@ class _Cut:
             )
             return (own - height) / (tilt * (rate - self.forward) - slope * rate)
 
-        found: Jet = swing(_solved(step, pose.at))[1] + (here.offset - here.home)
+        found: Jet = swing(_solved(step, pose.at))[1] + (here.offset - here.shaft_direction)
         return found
 
     def distance(self, pivot: Vec, seat: CamPair, angle: Jet) -> tuple[Jet, Jet]:
@@ -229,6 +229,6 @@ def _vector(pair: Pair, like: Jet) -> Vec:
     return Vec.constant(pair, like.order)
 
 
-def _turned(vector: Vec, angle: Jet) -> Vec:
+def _rotated(vector: Vec, angle: Jet) -> Vec:
     c, s = angle.cos(), angle.sin()
     return Vec(c * vector.x - s * vector.y, s * vector.x + c * vector.y)

@@ -243,9 +243,9 @@ class Varied:
             x[supply.rows["t"]] = t
         motion = frozenset(range(supply.first))
         for name, turns in supply.turns.items():
-            home = supply.home(name, Sampled(quantities, dict(zip(self.row, p, strict=True)), p.shape[1]))
+            start_angle = supply.start_angle(name, Sampled(quantities, dict(zip(self.row, p, strict=True)), p.shape[1]))
             x[supply.rows[f"turns/{name}"]] = turns_of(
-                turns.kernel, home, x, t, p, lambda p, t: self.inputs(p, t, motion, kernel)
+                turns.kernel, start_angle, x, t, p, lambda p, t: self.inputs(p, t, motion, kernel)
             )
         given = dict(zip(self.row, p[:, :, None], strict=True))
         supply.look_up(x, lambda of: of.over(x, p), given)

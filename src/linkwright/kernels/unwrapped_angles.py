@@ -21,15 +21,15 @@ Motion = Callable[[Array, Array], Array]
 """The inputs of the motion for parameters (parameters, samples) at times (times,) or (samples, times)."""
 
 
-def turns_of(kernel: Kernel, home: Any, x: Array, t: Array, p: Array, motion: Motion) -> Array:
+def turns_of(kernel: Kernel, start_angle: Any, x: Array, t: Array, p: Array, motion: Motion) -> Array:
     """The whole turns of an angle that a kernel gives with its rate, (samples, times): NaN where it can't be followed.
 
-    ``home`` (rad; None, a number or (samples,)) is the angle near which it starts; ``t`` is (times,) or
+    ``start_angle`` (rad; None, a number or (samples,)) is the angle near which it starts; ``t`` is (times,) or
     (samples, times). Every sample is followed on a grid of its own, fine enough for it.
     """
     angle = kernel.over(x, p)[0]
     near = np.full(angle.shape, np.nan)
-    home = None if home is None else np.broadcast_to(home, p.shape[1])
+    start_angle = None if start_angle is None else np.broadcast_to(start_angle, p.shape[1])
     todo, steps = np.arange(p.shape[1]), FIRST_STEPS
     while todo.size:
         height, left = max(1, HELD // (steps + 1)), []
@@ -39,8 +39,8 @@ def turns_of(kernel: Kernel, home: Any, x: Array, t: Array, p: Array, motion: Mo
             grid = np.fmax.reduce(times, axis=-1, initial=0.0, keepdims=True) * np.linspace(0.0, 1.0, steps + 1)
             raw, rate = kernel.over(motion(p[:, some], grid), p[:, some])
             path, largest = _path(raw, rate, grid)
-            if home is not None:
-                path += 2 * np.pi * whole_turns(path[:, :1], home[some, None])
+            if start_angle is not None:
+                path += 2 * np.pi * whole_turns(path[:, :1], start_angle[some, None])
             near[some] = _between(path, rate, grid, times)
             left.append(some[largest > MAX_TURN] if steps < MAX_STEPS else some[:0])
         todo, steps = np.concatenate(left), 2 * steps

@@ -98,7 +98,8 @@ class Measurer:
 
     def _flag(self, code: str, measure: BoundMeasure, time: float | None, severity: str = "error") -> None:
         text, second = self.run.compiled.quantities.unit_of(TIME)
-        data = {"name": measure.name, "signal": measure.entry.subject, "width": f"{self.search.turned.width:.3g} s"}
+        width = f"{self.search.turning_points.width:.3g} s"
+        data = {"name": measure.name, "signal": measure.entry.subject, "width": width}
         data["time"] = "-" if time is None else f"{time / second:.6g} {text}"
         self.findings.append(Finding(code, measure.path, data, severity=severity))
 

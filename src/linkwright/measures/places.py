@@ -125,8 +125,8 @@ class BreakPlaces:
 
         if not rows and not trees:
             return
-        turned = turning(rates, pieces, run.grid)
-        crossed = zeros(rates, pieces, turned, run.grid)
+        turning_points = turning(rates, pieces, run.grid)
+        crossed = zeros(rates, pieces, turning_points, run.grid)
         cuts = (pieces.before + pieces.after) / 2
         corners = np.concatenate([[run.start, run.stop], np.clip(cuts, run.start, run.stop)])
         times = np.linspace(run.start, run.stop, 257)
@@ -137,8 +137,8 @@ class BreakPlaces:
             known = usual[i][np.isfinite(usual[i])]
             if not known.size or not known.max() > 0 or unclear[i]:
                 continue
-            self.settled &= turned.settled[i]
-            least = np.union1d(turned.times[i], corners)
+            self.settled &= turning_points.settled[i]
+            least = np.union1d(turning_points.times[i], corners)
             size = np.abs(_row(rates, i, least))
             near = least[size < LOW * np.median(known)]
             if isinstance(row, Feature):
@@ -149,7 +149,7 @@ class BreakPlaces:
                 self._cuts.append(self._zeros[row] if row.kind.hard else crossed[i])
                 near = near if row.kind is ZeroKind.KINK else np.union1d(near, crossed[i])
             if near.size:
-                self._more.append(self._narrow(rates, i, near, turned.width))
+                self._more.append(self._narrow(rates, i, near, turning_points.width))
 
     def _narrow(self, rates: Rates, i: int, places: Array, step: float) -> Array:
         """Times beside narrow places, nearer and nearer, down to where the break function doesn't change any more."""

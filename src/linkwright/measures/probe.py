@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from linkwright.expressions.language import Node
 from linkwright.measures.means import MeanValue, StretchEnd, mean
 from linkwright.measures.places import BreakPlaces, Hard, vague
-from linkwright.measures.search import TurningTimes, turning
+from linkwright.measures.search import turning
 from linkwright.measures.sides import Side, Sides
 from linkwright.notation import Jet
 from linkwright.reductions import Peak
@@ -48,19 +48,19 @@ class Search:
         self.run, self.trees = run, [*dict.fromkeys(trees)]
         self.signals = run.signals_of(self.trees)
         self.places = BreakPlaces(run, self.trees, noticed)
-        self.turned: TurningTimes = turning(lambda t: run.all_rates(self.trees, t), self.places.pieces, run.grid)
+        self.turning_points = turning(lambda t: run.all_rates(self.trees, t), self.places.pieces, run.grid)
         self._vague = vague(run, self.trees, np.linspace(run.start, run.stop, 257))
         self._limits: dict[Node, list[OneSidedLimits]] = {}
 
     def stationary(self, node: Node) -> Array:
         """The times (s) at which an expression turns or may have a kink, ascending."""
         pieces = self.places.pieces
-        return np.union1d(self.turned.times[self.trees.index(node)], (pieces.before + pieces.after) / 2)
+        return np.union1d(self.turning_points.times[self.trees.index(node)], (pieces.before + pieces.after) / 2)
 
     def settled(self, node: Node) -> bool:
         """Whether nothing more was found on the last, finer grids."""
         i = self.trees.index(node)
-        return self.places.settled and (self.turned.settled[i] or self._vague[i])
+        return self.places.settled and (self.turning_points.settled[i] or self._vague[i])
 
     def limits(self, node: Node) -> list[OneSidedLimits]:
         """The places at which an expression may have other values on both sides, or none."""

@@ -112,13 +112,13 @@ def turning(rates: Rates, pieces: RunPieces, steps: int, still: Array | float = 
     return TurningTimes(times, standing, (pieces.stop - pieces.start) / steps)
 
 
-def zeros(rates: Rates, pieces: RunPieces, turned: TurningTimes, steps: int) -> list[Array]:
+def zeros(rates: Rates, pieces: RunPieces, turning_points: TurningTimes, steps: int) -> list[Array]:
     """The zeros of each row at which it changes sign, from its turning points: between two of them there is one at
     most."""
     found = []
     grid = pieces.grid(_first(steps)[0])
     # Between two neighbouring turning points a row is monotone, so it has at most one zero there.
-    t = np.union1d(grid, np.concatenate([*turned.times, grid[:0]]))
+    t = np.union1d(grid, np.concatenate([*turning_points.times, grid[:0]]))
     values, number = rates(t)[0], pieces.number(t)
     exact = []
     for row in values:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
-from linkwright.elements.points import homes
+from linkwright.elements.points import links_of_points
 from linkwright.expressions.language import FUNCTIONS
 from linkwright.expressions.unknown import likeliest
 from linkwright.findings import Finding, Joined, Term
@@ -56,11 +56,13 @@ def _links(m: Mechanism) -> Iterator[Finding]:
 def _collisions(m: Mechanism) -> Iterator[Finding]:
     """Names of links, points, prismatic joints, drives and springs are owners of signals, and must differ; so must
     those of what else has whole turns counted, as links and drives have."""
-    points, slides = homes(m), dict(m.joints_but_pins())
+    points, slides = links_of_points(m), dict(m.joints_but_pins())
     owners = {"shaking": Term("the-shaking"), "energy": Term("the-energies")}
     kinds = [("link", name) for name in m.links] + [("point", name) for name in points]
     kinds += [("joint", name) for name in slides] + [("drive", name) for name in m.movers]
-    kinds += [(one.noun, one.name) for one in m.acting() if one.kind.signals(one.entry) or one.kind.turned(one.entry)]
+    kinds += [
+        (one.noun, one.name) for one in m.acting() if one.kind.signals(one.entry) or one.kind.counted_angle(one.entry)
+    ]
     for kind, name in kinds:
         if name in owners:
             path: tuple[str, ...] = m.path_of(name) if kind == "drive" else (f"{kind}s", name)
@@ -83,7 +85,7 @@ def _collisions(m: Mechanism) -> Iterator[Finding]:
 
 
 def _joints(m: Mechanism) -> Iterator[Finding]:
-    points = homes(m)
+    points = links_of_points(m)
     for name, joint in m.joints.items():
         ends = joint.joint_points
         if len({*joint.links}) < len(joint.links):

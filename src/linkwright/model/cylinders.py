@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from linkwright.elements.cylinder import end_of
 from linkwright.elements.drive import Drive
-from linkwright.elements.points import homes
+from linkwright.elements.points import links_of_points
 from linkwright.expressions.typed_fields import Context
 from linkwright.expressions.written import FrozenDict
 from linkwright.findings import Finding, Term
@@ -48,7 +48,7 @@ def _sliding(drive: Drive, joints: dict[str, Joint]) -> Drive:
 def cylinder_faults(m: Mechanism) -> Iterator[Finding]:
     """Faults of cylinders, and of drives that extend them, before they are spelled out."""
     yield from reference_faults(references(m, Context(m), "cylinders"))
-    points = [*homes(m), *shared_pins(m)]
+    points = [*links_of_points(m), *shared_pins(m)]
     for name, cylinder in m.cylinders.items():
         path: Path = ("cylinders", name)
         if cylinder.from_ == cylinder.to:
@@ -68,7 +68,7 @@ def _name_taken(path: Path, name: str, by: str) -> Finding:
     return Finding("name.taken", path, {"name": name, "first": Term(by), "second": Term("a-cylinder")})
 
 
-def cylinder_home(m: Mechanism, path: Path) -> Path | None:
+def cylinder_path(m: Mechanism, path: Path) -> Path | None:
     """Where a place of a cylinder's links or slide stands in the file."""
     if len(path) < 2 or path[0] not in ("links", "joints"):
         return None

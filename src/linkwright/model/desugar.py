@@ -7,12 +7,12 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from linkwright.findings import Finding
-from linkwright.model.cylinders import cylinder_faults, cylinder_home, with_cylinders
+from linkwright.model.cylinders import cylinder_faults, cylinder_path, with_cylinders
 from linkwright.model.followers import follower_entries, with_followers
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.places import find_typed_values
 from linkwright.model.plane import LinkagePlane, in_plane
-from linkwright.model.sketch import drawn_values, sketch_faults, sketch_home, with_sketch
+from linkwright.model.sketch import drawn_values, sketch_faults, sketch_path, with_sketch
 from linkwright.model.walk import Found
 
 
@@ -36,19 +36,19 @@ class Spelled:
         """What the typed fields of the mechanism hold."""
         return find_typed_values(self.mechanism)
 
-    def home(self, findings: Iterable[Finding]) -> list[Finding]:
+    def with_file_paths(self, findings: Iterable[Finding]) -> list[Finding]:
         """Findings with their places as the file has them."""
-        return home(self.written, findings)
+        return with_file_paths(self.written, findings)
 
 
-def home(m: Mechanism, findings: Iterable[Finding]) -> list[Finding]:
+def with_file_paths(m: Mechanism, findings: Iterable[Finding]) -> list[Finding]:
     """Findings on what a mechanism's short forms stand for, with their places as it is written.
 
     What is wrong with a place of the sketch spoils the lengths derived from it too, and is told at the place alone; a
     follower with a fault has no signals, which isn't told wherever they are named.
     """
-    homes = (cylinder_home, sketch_home)
-    found = [replace(f, path=next((at for of in homes if (at := of(m, f.path))), f.path)) for f in findings]
+    paths = (cylinder_path, sketch_path)
+    found = [replace(f, path=next((at for of in paths if (at := of(m, f.path))), f.path)) for f in findings]
     told = {f.code for f in found if len(f.path) == 2 and f.path[0] == "sketch"}
     declared = {name for _, name, _, _ in follower_entries(m)}
     found = [f for f in found if f.code != "name.unknown-element" or f.data["name"] not in declared]

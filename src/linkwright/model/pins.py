@@ -6,7 +6,7 @@ from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
 
-from linkwright.elements.points import homes
+from linkwright.elements.points import links_of_points
 from linkwright.model.mechanism import Mechanism
 
 
@@ -53,5 +53,5 @@ def pins(mechanism: Mechanism) -> dict[str, Pin]:
 def shared_pins(m: Mechanism) -> list[str]:
     """The points that only cylinders name, several of them: pins between their barrels and rods."""
     named = Counter(point for cylinder in m.cylinders.values() for point in {cylinder.from_, cylinder.to})
-    links = homes(m)
+    links = links_of_points(m)
     return [point for point, count in named.items() if count > 1 and point not in links]

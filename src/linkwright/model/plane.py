@@ -93,8 +93,8 @@ def in_plane(m: Mechanism) -> Flat:
         return _given_up(m, [Finding("sketch.mixed", ("sketch", others[0]), data)])
     quantities = Quantities(_probe(m))
     if quantities.findings:
-        homed = [_home(finding) for finding in quantities.findings]
-        return _given_up(m, [finding for i, finding in enumerate(homed) if finding not in homed[:i]])
+        found = [_file_path(finding) for finding in quantities.findings]
+        return _given_up(m, [finding for i, finding in enumerate(found) if finding not in found[:i]])
     places = {name: np.array([quantities.value(p, u.LENGTH) for p in at.parts]) for name, at in m.sketch.items()}
     wild = [name for name, place in places.items() if not (np.abs(place) < LARGEST).all()]
     if wild:
@@ -123,7 +123,7 @@ def _probe(m: Mechanism) -> Mechanism:
     return Mechanism.model_construct(units=m.units, parameters=m.parameters, plane=m.plane, links=links)
 
 
-def _home(finding: Finding) -> Finding:
+def _file_path(finding: Finding) -> Finding:
     """A finding on the probe, at its place in the file."""
     if finding.path[:1] != ("links",):
         return finding

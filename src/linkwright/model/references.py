@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from pydantic import BaseModel
 
-from linkwright.elements.points import homes
+from linkwright.elements.points import links_of_points
 from linkwright.expressions.typed_fields import Context, Path
 from linkwright.expressions.unknown import near, unknown, unknown_point
 from linkwright.findings import Finding
@@ -34,9 +34,11 @@ def _slides(m: Mechanism) -> list[str]:
 KINDS: Mapping[str, ElementKind] = {
     "link": ElementKind(lambda m: m.links, "links", "link"),
     "moving": ElementKind(lambda m: [link for link in m.links if link != FRAME], "links", "link"),
-    "point": ElementKind(lambda m: [*homes(m), *shared_pins(m)], "links.points", "point"),
+    "point": ElementKind(lambda m: [*links_of_points(m), *shared_pins(m)], "links.points", "point"),
     "pivot": ElementKind(
-        lambda m: [*homes(m), *(n for n, joint in m.joints.items() if joint.revolute)], "links.points", "point"
+        lambda m: [*links_of_points(m), *(n for n, joint in m.joints.items() if joint.revolute)],
+        "links.points",
+        "point",
     ),
     "slide": ElementKind(_slides, "joints", "slide"),
     "extended": ElementKind(lambda m: [*_slides(m), *m.cylinders], "cylinders", "slide"),

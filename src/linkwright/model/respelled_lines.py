@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable
 
-from linkwright.expressions.wide import BLANKS, WIDE
+from linkwright.expressions.full_width import BLANKS, TO_ASCII
 from linkwright.findings import Finding, Term
 
 ROUNDS = 6
@@ -30,7 +30,7 @@ _EQUALS = re.compile(r"^(\s*[^\W\d]\w*)\s*=\s*(?=[^\s=])")
 
 _LIST = re.compile(r"(?<=[:：,，[【])(\s*)（([^（）()]*)）")
 _LIMIT = re.compile(r"(?<=: )((?:[＞＜][＝=]?|[>＞＜<]＝)[^,，}｝\]\s]*(?: [^,，}｝\]\s]+)*)")
-_SIGNS = {code: meant for code, meant in WIDE.items() if meant.strip()}
+_SIGNS = {code: meant for code, meant in TO_ASCII.items() if meant.strip()}
 
 
 def _wide(text: str) -> str:
@@ -64,7 +64,7 @@ def _separated(text: str) -> str:
 
 
 def _spaced(text: str) -> str:
-    return re.sub(f"[{BLANKS}]", lambda match: match.group().translate(WIDE), text)
+    return re.sub(f"[{BLANKS}]", lambda match: match.group().translate(TO_ASCII), text)
 
 
 _RULES: dict[str, Callable[[str], str]] = {

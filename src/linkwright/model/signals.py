@@ -9,7 +9,7 @@ from functools import cached_property
 from linkwright.elements.force import Acting
 from linkwright.elements.mover import TRAVEL as SLIDE
 from linkwright.elements.mover import TURN as LINK
-from linkwright.elements.points import homes
+from linkwright.elements.points import links_of_points
 from linkwright.expressions import units as u
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.language import Call, Name, signal_text
@@ -71,7 +71,7 @@ class Signals:
 
     def __init__(self, mechanism: Mechanism) -> None:
         self.mechanism = mechanism
-        self.pins, self.homes = pins(mechanism), homes(mechanism)
+        self.pins, self.links_of_points = pins(mechanism), links_of_points(mechanism)
         self._found: dict[str, Signal] = {}
 
     @cached_property
@@ -117,7 +117,7 @@ class Signals:
     def named(self) -> tuple[str, ...]:
         """The elements that have signals of their own."""
         m = self.mechanism
-        return (*m.links, *self.homes, *(name for name, _ in m.joints_but_pins()), *m.movers, *self.acting)
+        return (*m.links, *self.links_of_points, *(name for name, _ in m.joints_but_pins()), *m.movers, *self.acting)
 
     def contact(self, names: Sequence[str]) -> Contact:
         """The contact that ``force(names...)`` means. Raises DimensionError naming what is wrong."""
@@ -137,7 +137,7 @@ class Signals:
         m = self.mechanism
         if owner in m.links:
             return "link", LINK
-        if owner in self.homes:
+        if owner in self.links_of_points:
             return "point", POINT
         if (joint := m.joints.get(owner)) is not None and not joint.revolute and not joint.follows:
             return ("slide", SLIDE) if joint.prismatic else ("joint", dict(joint.signals))
@@ -226,7 +226,7 @@ class Signals:
     def all(self) -> list[Signal]:
         """Every signal of the mechanism, motion first, then forces; poles, one for any two links, only by name."""
         m = self.mechanism
-        found = [Signal("point", (p,), a, d) for p in self.homes for a, d in POINT.items()]
+        found = [Signal("point", (p,), a, d) for p in self.links_of_points for a, d in POINT.items()]
         found += [Signal("link", (link,), a, d) for link in m.links if link != FRAME for a, d in LINK.items()]
         owners = [name for name, _ in m.joints_but_pins()]
         found += [Signal(*self._owned(name), a, d) for name in owners for a, d in self.attributes(name)[1].items()]

@@ -13,7 +13,7 @@ from itertools import chain
 
 from linkwright.elements.cylinder import Cylinder, links_of
 from linkwright.elements.drive import Drive
-from linkwright.elements.points import homes
+from linkwright.elements.points import links_of_points
 from linkwright.expressions.fields import AssemblyRule, Expression, Position
 from linkwright.expressions.unknown import near
 from linkwright.expressions.written import RESERVED, FrozenDict
@@ -223,10 +223,10 @@ def _sound(m: Mechanism, drive: Drive) -> bool:
     named = {drive.turns, drive.on, drive.slides, drive.extends, drive.output} - {None, ""}
     cylinders = [m.cylinders[name] for name in named if name in m.cylinders]
     ends = {end for cylinder in cylinders for end in (cylinder.from_, cylinder.to)}
-    return named <= links | m.cylinders.keys() | m.joints.keys() and ends <= {*homes(m), *shared_pins(m)}
+    return named <= links | m.cylinders.keys() | m.joints.keys() and ends <= {*links_of_points(m), *shared_pins(m)}
 
 
-def sketch_home(m: Mechanism, path: Path) -> Path | None:
+def sketch_path(m: Mechanism, path: Path) -> Path | None:
     """Where a place that the sketch made stands in the file."""
     if path[:3] == ("links", FRAME, "points") and path[3:4] and path[3] in m.sketch and FRAME in m.links:
         return ("sketch", path[3]) if path[3] in sketched(m.links[FRAME]) else None

@@ -101,17 +101,6 @@ def full_tolerance(tolerance: AnyTolerance | None) -> StatedTolerance:
     return tolerance if isinstance(tolerance, StatedTolerance) else StatedTolerance.model_construct(limits=tolerance)
 
 
-def tolerance_parts(tolerance: AnyTolerance | None) -> Iterator[tuple[tuple[str, ...], Expression]]:
-    """The expressions of a tolerance, each with its place in it."""
-    whole = full_tolerance(tolerance)
-    key = ("limits",) if whole is tolerance else ()
-    limits = whole.limits if isinstance(whole.limits, tuple) else (whole.limits,)
-    yield from ((key, part) for part in limits if isinstance(part, Expression))
-    for name in ("cp", "sigma", "side"):
-        if (part := getattr(whole, name)) is not None:
-            yield (name,), part
-
-
 def tolerance_faults(parameters: Mapping[str, Any]) -> Iterator[Finding]:
     """Names that are both a class of tolerances and a parameter of the file, where a tolerance is one."""
     for name, parameter in parameters.items():

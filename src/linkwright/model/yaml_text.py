@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any
 
-from linkwright.expressions.wide import WIDE
+from linkwright.expressions.full_width import TO_ASCII
 from linkwright.expressions.written import MAX_TEXT, NO_TEXT
 from linkwright.findings import Finding, Term
 from linkwright.model.encodings import decoded, likely_encoding
@@ -207,7 +207,7 @@ class _Builder:
 
     def plain(self, text: str, line: int, path: Path) -> Any:
         """What a text without quotes stands for; a number in full-width digits is meant in half-width ones."""
-        value = scalar(meant := text.translate(WIDE))
+        value = scalar(meant := text.translate(TO_ASCII))
         if meant == text.replace("−", "-") or not isinstance(value, int | float) or path[-1:] in _FREE:
             return scalar(text)
         self.note("file.wide", line, path, given=text[:40], hint=Term("write", text=meant[:40]))

@@ -25,11 +25,11 @@ class Pair(NamedTuple):
     def cross(self, other: Pair) -> Scalar:
         return self.x * other.y - self.y * other.x
 
-    def turned(self, by: Pair) -> Pair:
+    def rotated(self, by: Pair) -> Pair:
         """This vector turned by the angle of the unit vector ``by``."""
         return Pair(by.x * self.x - by.y * self.y, by.y * self.x + by.x * self.y)
 
-    def turned_back(self, by: Pair) -> Pair:
+    def rotated_back(self, by: Pair) -> Pair:
         """This vector turned by minus the angle of the unit vector ``by``."""
         return Pair(by.x * self.x + by.y * self.y, by.x * self.y - by.y * self.x)
 

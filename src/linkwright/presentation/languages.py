@@ -35,7 +35,7 @@ SCRIPT = """
   const other = languages.others[tag];
   const seen = new Map();
   // What stands for a text: one that is replaced at some of its places only has a list of them.
-  const instead = (kind, texts, text) => {
+  const replacement = (kind, texts, text) => {
     const found = Object.hasOwn(texts, text) ? texts[text] : undefined;
     if (!Array.isArray(found)) return found ?? null;
     const place = `${kind} ${text}`;
@@ -51,12 +51,12 @@ SCRIPT = """
     const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
     while (walker.nextNode()) {
       const node = walker.currentNode;
-      const text = node.parentNode.localName === "script" ? null : instead("", other.texts, node.data);
+      const text = node.parentNode.localName === "script" ? null : replacement("", other.texts, node.data);
       if (text !== null) node.data = text;
     }
     for (const [name, texts] of Object.entries(other.attributes))
       for (const element of document.body.querySelectorAll(`[${CSS.escape(name)}]`)) {
-        const text = instead(name, texts, element.getAttribute(name));
+        const text = replacement(name, texts, element.getAttribute(name));
         if (text !== null) element.setAttribute(name, text);
       }
   }
@@ -105,21 +105,22 @@ def element(page: str) -> Element:
 
 @dataclass
 class Differences:
-    """In what a page (``here``) differs from the same in another language (``there``): pairs of texts, pairs of
-    attributes by name, and what is inside elements that differ, by the place of their start tag's end."""
+    """In what a page (``here``, its body as an element) differs from the same in another language (``there``): pairs of
+    texts, pairs of attributes by name, and what is inside elements that differ, by the place of their start tag's end.
+    """
 
-    here: str
+    here: Element
     there: str
     texts: Pairs = field(default_factory=list)
     attributes: dict[str, Pairs] = field(default_factory=dict)
     inside: dict[int, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self._compare(element(self.here), element(self.there))
+        self._compare(self.here, element(self.there))
 
     def _compare(self, one: Element, other: Element) -> None:
-        for (name, value), (_, instead) in zip(one.attributes, other.attributes, strict=True):
-            self.attributes.setdefault(name, []).append((value, instead))
+        for (name, value), (_, translated) in zip(one.attributes, other.attributes, strict=True):
+            self.attributes.setdefault(name, []).append((value, translated))
         if [part.name for part in one.elements] != [part.name for part in other.elements]:
             self.inside[one.tag[1]] = self.there[slice(*other.inside)]
             one = other  # from here on, this is what stands there
@@ -136,19 +137,21 @@ def in_all_languages(title: object, body: Callable[[], str], words: Callable[[],
     other scripts, which find them as ``linkwrightWords``.
     """
     present, here = language(), body()
-    others, choice, places = {}, [], set[int]()
+    others, choice, places, parsed = {}, [], set[int](), element(here)
     for name in LANGUAGES:
         with in_language(name):
             tag = str(Said("language.tag"))
             choice.append(f'<a href="?lang={tag}" lang="{tag}">{markup(Said("language.name"))}</a>')
             if name != present:
-                found = Differences(here, body())
+                found = Differences(parsed, body())
                 others[tag] = {
                     "title": str(title),
                     "choice": str(Said("language.choice")),
                     "words": words(),
-                    "texts": instead(found.texts),
-                    "attributes": {key: some for key, pairs in found.attributes.items() if (some := instead(pairs))},
+                    "texts": replacements(found.texts),
+                    "attributes": {
+                        key: some for key, pairs in found.attributes.items() if (some := replacements(pairs))
+                    },
                     "inside": found.inside,
                 }
                 places |= found.inside.keys()
@@ -162,7 +165,7 @@ def in_all_languages(title: object, body: Callable[[], str], words: Callable[[],
     )
 
 
-def instead(pairs: Pairs) -> Replaced:
+def replacements(pairs: Pairs) -> Replaced:
     """What is written in place of texts, from pairs of what stands there and what would in another language."""
     found: dict[str, list[str]] = {}
     for one, other in pairs:

@@ -25,7 +25,7 @@ def columns(text: str) -> int:
     return sum(2 if east_asian_width(letter) in "WF" else 1 for letter in text)
 
 
-def joined(text: str) -> str:
+def without_hanzi_spaces(text: str) -> str:
     """A text whose lines YAML has joined by spaces, without those that Chinese doesn't have there."""
     return _UNSPACED.sub("", text)
 
@@ -33,7 +33,7 @@ def joined(text: str) -> str:
 def folded(text: str, room: int) -> Iterator[str]:
     """A text in lines of at most ``room`` columns, but for words that are longer."""
     row = ""
-    for part in _PART.findall(joined(" ".join(text.split()))):
+    for part in _PART.findall(without_hanzi_spaces(" ".join(text.split()))):
         if row and columns(row + part.rstrip()) > room:
             yield row.rstrip()
             row = ""

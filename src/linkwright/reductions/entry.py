@@ -10,7 +10,7 @@ from pydantic_core.core_schema import SerializerFunctionWrapHandler
 
 from linkwright.elements.fields import Interval
 from linkwright.elements.force import Use
-from linkwright.elements.points import homes
+from linkwright.elements.points import links_of_points
 from linkwright.expressions.dimensions import Wanted
 from linkwright.expressions.fields import Expression, Frozen, Name, fault
 from linkwright.expressions.typed_fields import Context, Ends, Quantity, Ref, Scope
@@ -161,7 +161,7 @@ class OfPath(Measure):
 
     def implied_expressions(self, mechanism: Any, name: str) -> Iterator[Use]:
         """Its signal, where there is such a point."""
-        if self.point in homes(mechanism):
+        if self.point in links_of_points(mechanism):
             yield Use(self.reduction, self.signal, self.along[1], Scope.SIGNALS)
 
 

@@ -15,7 +15,7 @@ from linkwright.findings import Finding, Said, Text
 from linkwright.model.document import Document, dump
 from linkwright.model.origin import Origin, hashed
 from linkwright.presentation.json_numbers import listed
-from linkwright.presentation.lettering import joined
+from linkwright.presentation.lettering import without_hanzi_spaces
 from linkwright.report.cam_shapes import cam_shapes
 from linkwright.report.centrodes import centrodes
 from linkwright.report.data import (
@@ -66,8 +66,8 @@ def report_data(
     findings = [*examined, *found(outcomes)]
     data: ReportData = {
         "title": document.title,
-        "subtitle": joined(document.note or ""),
-        "source": Said("report.source", source=joined(document.source)) if document.source else "",
+        "subtitle": without_hanzi_spaces(document.note or ""),
+        "source": Said("report.source", source=without_hanzi_spaces(document.source)) if document.source else "",
         "origin": origin_text(origin),
         "version": origin.version,
         "time": axis(result),
@@ -173,8 +173,8 @@ def _traces(result: Result, size: float) -> list[Trace]:
 
 
 def _moving_points(result: Result) -> list[str]:
-    homes = result.run.compiled.quantities.signals.homes
-    spans = {p: max(_span(result[f"{p}.x"]), _span(result[f"{p}.y"])) for p in homes}
+    links_of_points = result.run.compiled.quantities.signals.links_of_points
+    spans = {p: max(_span(result[f"{p}.x"]), _span(result[f"{p}.y"])) for p in links_of_points}
     largest = max(spans.values(), default=0.0)
     return [p for p, span in spans.items() if span > 1e-9 * largest]
 

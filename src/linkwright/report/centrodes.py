@@ -21,10 +21,10 @@ def centrodes(result: Result, size: float) -> list[Centrode]:
     ``None`` where the centre is far away, and between poses where it passes through infinity.
     """
     run = result.run
-    links, homes = run.compiled.structure.topology.moving, run.compiled.quantities.signals.homes
+    links, links_of_points = run.compiled.structure.topology.moving, run.compiled.quantities.signals.links_of_points
     rows = [row for link in links for row in (*(f"pole({link}, frame).{axis}" for axis in "xyuv"), f"{link}.omega")]
     found = run.evaluate(rows, result.t).reshape(len(links), 5, -1)
-    places = np.array([[result[f"{point}.{axis}"] for point in homes] for axis in "xy"])
+    places = np.array([[result[f"{point}.{axis}"] for point in links_of_points] for axis in "xy"])
     low, high = np.nanmin(places, axis=(1, 2)), np.nanmax(places, axis=(1, 2))
     extent = float(np.max(high - low))
     drawn: list[Centrode] = []

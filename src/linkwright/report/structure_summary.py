@@ -45,7 +45,7 @@ def facts(compiled: Compiled) -> list[Fact]:
     pinned = {point for pin in topology.pins.values() for _, point in pin.members}
     pinned |= {end_of(link) for name in m.cylinders for link in links_of(name)}  # no names of the file's
     pinned |= {end for c in higher for end in m.joints[c.joint].joint_points}
-    lone = [point for point in compiled.quantities.signals.homes if point not in pinned]
+    lone = [point for point in compiled.quantities.signals.links_of_points if point not in pinned]
     if lone:
         lines.append(_fact("lone", Said("fact.lone.text", points=Joined(lone))))
     if compiled.plane is not None:
@@ -68,9 +68,9 @@ def facts(compiled: Compiled) -> list[Fact]:
         lines.append(_fact("order", Joined(order, CLAUSES)))
     masses = [link for link in topology.moving if m.has_mass(link)]
     without = [link for link in topology.moving if link not in masses]
-    said = Said("fact.mass.none", links=Joined(without)) if without else Said("fact.mass.all")
     if masses:
-        lines.append(_fact("mass", Said("fact.mass.text", links=Joined(masses), without=said)))
+        key = "fact.mass.some" if without else "fact.mass.all"
+        lines.append(_fact("mass", Said(key, links=Joined(masses), without=Joined(without))))
     acting: dict[str, list[Text]] = understood.acting(compiled)
     laws: list[Text] = [law_fact(compiled, name) for name in compiled.motions]
     for name, said_of in (*((section, acting[section]) for section in reversed(NOUNS)), ("laws", laws)):

@@ -7,7 +7,6 @@ don't depend on them to the last bit. ``who`` (n,) are the samples that some tim
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -21,7 +20,7 @@ from linkwright.model.sampled import Sampled
 from linkwright.notation import angles
 from linkwright.notation.angles import whole_turns
 from linkwright.results.run import Run, combined
-from linkwright.results.stationary import NOISE, bracketed
+from linkwright.results.stationary import Changes, bracketed, changes
 
 Array = NDArray[np.float64]
 Who = NDArray[np.intp]
@@ -207,31 +206,6 @@ class Bunch:
     def length(self) -> Array:
         """How long each sample's run lasts (s)."""
         return self.stop - self.start
-
-
-@dataclass(frozen=True)
-class Changes:
-    """Changes of sign between neighbouring places of a grid: sample, index before, index after, each (n,)."""
-
-    who: Who
-    before: Who
-    after: Who
-
-
-def changes(f: Array, counts: NDArray[np.bool_] | None = None) -> Changes:
-    """Where rows (samples, places) clearly change sign, of those rows that count."""
-    size = np.abs(f)
-    largest = np.where(np.isfinite(size), size, 0.0).max(axis=1, keepdims=True)
-    with np.errstate(invalid="ignore"):
-        clear = size > NOISE * largest  # never of NaN
-    if counts is not None:
-        clear &= counts[:, None]
-    # Of each place, the last clear one up to it.
-    last = np.maximum.accumulate(np.where(clear, np.arange(f.shape[1]), -1), axis=1)
-    who, after = np.nonzero(clear[:, 1:] & (last[:, :-1] >= 0))
-    before, after = last[who, after], after + 1
-    turned = (f[who, before] > 0) != (f[who, after] > 0)
-    return Changes(who[turned], before[turned], after[turned])
 
 
 def _turn(rise: Array, before: Array, after: Array) -> Array:

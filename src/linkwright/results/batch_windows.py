@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,8 +12,9 @@ from numpy.typing import NDArray
 from linkwright.expressions.language import Node
 from linkwright.graph.rows import WindowRow
 from linkwright.model.bound_window import BoundWindow
-from linkwright.results.batch_run import Bunch, What, Who
-from linkwright.results.discontinuities import ASIDE
+from linkwright.results.batch_run import Bunch, Who
+from linkwright.results.discontinuities import sides
+from linkwright.results.windows import passed, stretches_inside
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -83,23 +85,12 @@ def gaps(bunch: Bunch) -> Spans:
         owner, a, b = spans(bunch, bunch.quantities.window(name)).flat()
         who = np.concatenate([owner, owner, every, every])
         t = np.concatenate([a, b, np.full(bunch.samples, bunch.start), bunch.stop])
-        parts += _beside(bunch, WindowRow(name), who, t)
+        parts += sides(partial(bunch.values, WindowRow(name)), who, t, bunch.start, bunch.stop)
     for node in actions.jumps:
-        parts += _beside(bunch, node, *bunch.crossings(node))
+        parts += sides(partial(bunch.values, node), *bunch.crossings(node), bunch.start, bunch.stop)
     who, before, after = (np.concatenate(part) for part in zip(*parts, strict=True))
     order = np.lexsort((before, who))
     return _packed(who[order], before[order], after[order], bunch.samples)
-
-
-def _beside(bunch: Bunch, what: What, who: Who, t: Array) -> Iterator[tuple[Who, Array, Array]]:
-    """Samples and the times right before and right after those at which a curve's sign changes."""
-    for share in ASIDE:
-        aside = share * bunch.length[who]
-        before, after = np.maximum(t - aside, bunch.start), np.minimum(t + aside, bunch.stop[who])
-        left, right = (bunch.values(what, who, side) > 0 for side in (before, after))
-        differ = left != right
-        yield who[differ], before[differ], after[differ]
-        who, t = who[~differ], t[~differ]
 
 
 def without(some: Spans, gaps: Spans) -> Spans:
@@ -153,27 +144,14 @@ def _within(bunch: Bunch, node: Node, low: Array, high: Array, turning: bool) ->
     """Where an expression lies in low .. high (samples,); of an angle, in that range or any whole turns from it."""
 
     def beyond(edge: Array) -> tuple[Who, Array]:
-        def off(values: Array, who: Who | None) -> Array:
-            away = values - (edge[:, None] if who is None else edge[who])
-            with np.errstate(invalid="ignore"):
-                return np.sin(away / 2) if turning else away
-
-        return bunch.crossings(node, off)
+        return bunch.crossings(
+            node, lambda values, who: passed(values, edge[:, None] if who is None else edge[who], turning)
+        )
 
     every = np.arange(bunch.samples)
     parts = [(every, np.full(bunch.samples, bunch.start)), (every, bunch.stop), beyond(low), beyond(high)]
     who, t = (np.concatenate(part) for part in zip(*parts, strict=True))
-    order = np.lexsort((t, who))
-    who, t = who[order], t[order]
-    between = (who[1:] == who[:-1]) & (t[1:] > t[:-1])
-    who, a, b = who[1:][between], t[:-1][between], t[1:][between]
-    middles = bunch.values(node, who, (a + b) / 2)
-    offset = np.mod(middles - low[who], 2 * np.pi) if turning else middles - low[who]
-    inside = (offset >= 0) & (offset <= high[who] - low[who])
-    who, a, b = who[inside], a[inside], b[inside]
-    apart = (who[1:] != who[:-1]) | (a[1:] != b[:-1])
-    begins, ends = np.append([True], apart), np.append(apart, [True])
-    return _packed(who[begins], a[begins], b[ends], bunch.samples) if who.size else _packed(who, a, b, bunch.samples)
+    return _packed(*stretches_inside(partial(bunch.values, node), who, t, low, high, turning), bunch.samples)
 
 
 def _packed(who: Who, low: Array, high: Array, samples: int) -> Spans:

@@ -125,7 +125,7 @@ def closure(r: Reports) -> float:
     misses, size = [0.0], r.size()
     for name, (kind, links) in r.topology.joints.items():
         misses += [_worst(miss.value) / (size if miss.length else 1.0) for miss in kind.misses(r, name, links)]
-    misses += [_worst(np.hypot(*r.turned(link, (1.0, 0.0))) - 1.0) for link in r.topology.moving]
+    misses += [_worst(np.hypot(*r.rotated(link, (1.0, 0.0))) - 1.0) for link in r.topology.moving]
     return float(np.max(misses))
 
 
@@ -171,7 +171,7 @@ def slight(r: Reports) -> float:
     """A millionth of the largest force times the largest speed: powers (W) below it may be all round-off."""
     forces = [_worst(np.hypot(*force)) for _, force, _, _ in (*r.reactions(), *r.acting())]
     links = r.topology.moving
-    speeds = [_worst(r.vector(f"{r.home(n)}.v")) + _worst(r.rows[f"{n}.omega"]) * r.size() for n in links]
+    speeds = [_worst(r.vector(f"{r.some_point(n)}.v")) + _worst(r.rows[f"{n}.omega"]) * r.size() for n in links]
     return 1e-6 * max(forces, default=0.0) * max(speeds, default=0.0)
 
 

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from linkwright.results.run import Run
 
 Array = NDArray[np.float64]
+Who = NDArray[np.intp]
 
 ASIDE = (1e-11, 1e-10, 1e-9, 1e-8)
 """How far from a jump its two sides are looked at, over the run's length: the first at which they differ."""
@@ -32,29 +33,40 @@ MOST = 1 << 16
 
 def jumps(run: Run) -> Array:
     """The times right before and right after each jump of an acting element: (jumps, 2)."""
-    actions, found = run.compiled.graph.actions, list[tuple[float, float]]()
+    actions, parts = run.compiled.graph.actions, list[tuple[Who, Array, Array]]()
+
+    def look(what: Row | Node, times: Array) -> None:
+        """Add the sides of a jump at times, as those of one sample."""
+
+        def values(_: Who, t: Array) -> Array:
+            return np.asarray(run.compiled.evaluate([what], t)[0] if isinstance(what, Row) else run.jets(what, t).d[0])
+
+        if times.size:
+            parts.extend(sides(values, np.zeros(times.size, dtype=np.intp), times, run.start, np.full(1, run.stop)))
+
     for name in actions.windows:
-        edges = {edge for interval in intervals(run, run.compiled.quantities.window(name)) for edge in interval} | {
-            run.start,
-            run.stop,
-        }
-        found += _beside(run, sorted(edges), WindowRow(name))
+        edges = intervals(run, run.compiled.quantities.window(name))
+        look(WindowRow(name), np.unique([*edges, (run.start, run.stop)]))
     for node in actions.jumps:
-        found += _beside(run, zeros(run, node).tolist(), node)
+        look(node, zeros(run, node))
+    found = [pair for _, before, after in parts for pair in zip(before.tolist(), after.tolist(), strict=True)]
     return np.array(sorted(found)).reshape(-1, 2)
 
 
-def _beside(run: Run, times: Iterable[float], what: Row | Node) -> Iterator[tuple[float, float]]:
-    """The times right before and right after those at which the sign of a row or an expression changes."""
-    for time in times:
-        for share in ASIDE:
-            aside = share * (run.stop - run.start)
-            sides = np.clip([time - aside, time + aside], run.start, run.stop)
-            values = run.compiled.evaluate([what], sides)[0] if isinstance(what, Row) else run.jets(what, sides).d[0]
-            before, after = values > 0
-            if before != after:
-                yield float(sides[0]), float(sides[1])
-                break
+def sides(
+    values: Callable[[Who, Array], Array], who: Who, t: Array, start: float, stop: Array
+) -> Iterator[tuple[Who, Array, Array]]:
+    """Samples and the times (s) right before and right after those at which the sign of a row or an expression changes,
+    of the times ``t`` (n,) of samples ``who`` (n,) that run from ``start`` to ``stop`` (samples,)."""
+    for share in ASIDE:
+        aside = share * (stop - start)[who]
+        before, after = np.maximum(t - aside, start), np.minimum(t + aside, stop[who])
+        left, right = (values(who, side) > 0 for side in (before, after))
+        differ = left != right
+        yield who[differ], before[differ], after[differ]
+        who, t = who[~differ], t[~differ]
+        if not who.size:
+            return
 
 
 def breaks(run: Run) -> Array:

@@ -42,7 +42,7 @@ class Reports:
         names: list[Named] = [*self.compiled.graph.pose_rows]
         names += [f"{link}.{rate}" for link in moving for rate in ("omega", "alpha")]
         names += [f"com({link}).{rate}{axis}" for link in self.masses for rate in ("", "v", "a") for axis in "xy"]
-        names += [f"{self.home(link)}.v{axis}" for link in moving for axis in "xy"]
+        names += [f"{self.some_point(link)}.v{axis}" for link in moving for axis in "xy"]
         names += [self.force_name(c, a) for c in self.contacts for a in "xy"]
         names += [
             self.force_name(c, "moment")
@@ -66,7 +66,7 @@ class Reports:
         """The moving links that have mass."""
         return [link for link in self.topology.moving if self.mechanism.has_mass(link)]
 
-    def home(self, link: str) -> str:
+    def some_point(self, link: str) -> str:
         """Some point of a link."""
         return next(iter(self.mechanism.links[link].points))
 
@@ -80,20 +80,20 @@ class Reports:
 
     # Places.
 
-    def turned(self, link: str, local: Any) -> Array:
+    def rotated(self, link: str, local: Any) -> Array:
         """A vector fixed in a link, in the frame."""
         c, s = (np.ones(self.count), np.zeros(self.count)) if link == FRAME else self.of_body(link, "cos", "sin")
         return np.array([c * local[0] - s * local[1], s * local[0] + c * local[1]])
 
     def point_position(self, link: str, local: Any) -> Array:
         """A link's point in the frame (m)."""
-        turned = self.turned(link, local)
-        return turned if link == FRAME else self.of_body(link, "x", "y") + turned
+        rotated = self.rotated(link, local)
+        return rotated if link == FRAME else self.of_body(link, "x", "y") + rotated
 
     def line(self, joint: str, link: str) -> tuple[Array, Array]:
         """Point and direction of a prismatic joint's line on one of its links."""
         point, heading = self.geometry.line(joint, link)
-        return self.point_position(link, point), self.turned(link, heading)
+        return self.point_position(link, point), self.rotated(link, heading)
 
     @property
     def motions(self) -> dict[str, StatedMotion]:
@@ -119,7 +119,7 @@ class Reports:
         """The velocity of a link where it is at ``place``, from that of one of its points and its omega."""
         if link == FRAME:
             return np.zeros((2, self.count))
-        point = self.home(link)
+        point = self.some_point(link)
         arm = place - self.point_position(link, self.geometry.point(link, point))
         return np.asarray(self.vector(f"{point}.v") + self.rows[f"{link}.omega"] * np.array([-arm[1], arm[0]]))
 

@@ -20,7 +20,7 @@ from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, ModelError, Term
 from linkwright.model.output_files import write_aside
 from linkwright.results.certificate import Certificate
-from linkwright.results.dataset import Dataset, described, si_unit, times, variable_of
+from linkwright.results.dataset import Dataset, Variable, described, si_unit, times, variable_of
 from linkwright.results.run import Run
 
 Array = NDArray[np.float64]
@@ -109,14 +109,11 @@ class Result:
         Among its facts are the certificate's figures and all findings: the failures and ``warnings``, such as those of
         a cycle.
         """
-        quantities = self.run.compiled.quantities
-        names = (*self.names, *more)
-        made = [variable_of(quantities, name, "time", self[name], self.dimension(name)) for name in names]
-        return Dataset([times(quantities, self.t), *made], self._facts(warnings))
+        return Dataset(self._variables(more), self._facts(warnings))
 
     def to_csv(self, path: str | Path | None = None, more: Sequence[str] = ()) -> str:
         """:meth:`dataset` as a table in the model's units, one row a time; blank where nothing is known."""
-        text = self.dataset(more).csv("time")
+        text = Dataset(self._variables(more)).csv("time")
         assert text is not None
         if path is not None:
             write_aside(Path(path), text)
@@ -132,6 +129,11 @@ class Result:
         Raises :class:`ModelError` where xarray isn't installed.
         """
         return self.dataset(more).xarray(needed("xarray", "xarray"))
+
+    def _variables(self, more: Sequence[str]) -> list[Variable]:
+        quantities, names = self.run.compiled.quantities, (*self.names, *more)
+        made = [variable_of(quantities, name, "time", self[name], self.dimension(name)) for name in names]
+        return [times(quantities, self.t), *made]
 
     def _facts(self, warnings: Sequence[Finding]) -> dict[str, Any]:
         facts: dict[str, Any] = {**described(self.run.compiled, (*self.failures, *warnings))}

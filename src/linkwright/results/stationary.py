@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +18,44 @@ EDGE = 1e-3
 """A first look is no nearer to an end of its bracket than this share of it."""
 NOISE = 1e-10
 """A rate below this share of its largest magnitude doesn't count as a sign."""
+STILL = 1e-11
+"""A row whose rate lets it vary by less than this share of its size only varies by round-off."""
+
+
+@dataclass(frozen=True)
+class Changes:
+    """Changes of sign between neighbouring places of a grid: row, index before, index after, each (n,)."""
+
+    who: Rows
+    before: Rows
+    after: Rows
+
+
+def changes(f: Array, counts: NDArray[np.bool_] | None = None) -> Changes:
+    """Where rows (rows, places) clearly change sign, of those rows that count. Values within round-off of zero have no
+    reliable sign and are passed over."""
+    largest = _largest(f)[:, None]
+    with np.errstate(invalid="ignore"):
+        clear = np.abs(f) > NOISE * largest  # never of NaN
+    if counts is not None:
+        clear &= counts[:, None]
+    # Of each place, the last clear one up to it.
+    last = np.maximum.accumulate(np.where(clear, np.arange(f.shape[1]), -1), axis=1)
+    who, after = np.nonzero(clear[:, 1:] & (last[:, :-1] >= 0))
+    before, after = last[who, after], after + 1
+    turned = (f[who, before] > 0) != (f[who, after] > 0)
+    return Changes(who[turned], before[turned], after[turned])
+
+
+def turns(values: Array, slopes: Array, length: Array | float, scales: Array | float = 0.0) -> Changes:
+    """Where the rates of rows change sign, of those rows that vary by more than round-off over their ``length`` (s);
+    ``scales`` (rows,) are the sizes of what cancels in each row where the row itself is smaller."""
+    return changes(slopes, _largest(slopes) * length > STILL * np.maximum(_largest(values), scales))
+
+
+def _largest(values: Array) -> Array:
+    """The largest finite magnitude of each row."""
+    return np.asarray(np.where(np.isfinite(values), np.abs(values), 0.0).max(axis=1, initial=0.0))
 
 
 def stationary(
@@ -35,30 +74,26 @@ def stationary(
     row has the grid that it would have by itself.
     """
 
-    def look(t: Array) -> list[Array]:
-        values, slopes = rates(t)
-        least = np.zeros(len(values)) if scales is None else scales
-        return [_brackets(t, v, s, scale) for v, s, scale in zip(values, slopes, least, strict=True)]
-
-    return roots(lambda at: rates(at)[1], _settled(look, start, stop, steps, alone))
+    found = _settled(_turning_brackets(rates, scales), start, stop, steps, alone)
+    return roots(lambda at: rates(at)[1], [brackets for brackets, _ in found])
 
 
 def fineness(rates: Callable[[Array], tuple[Array, Array]], start: float, stop: float, steps: int) -> list[int]:
     """The steps on which the count of each row's brackets has stayed the same twice; :data:`MAX_STEPS` if never."""
-    counts: list[list[int]] = []
-    steps = min(max(steps, FIRST_STEPS), LATEST_FIRST)
-    found: dict[int, int] = {}
-    while True:
-        t = np.linspace(start, stop, steps + 1)
-        # Count the brackets of each row on this grid.
-        counts.append([len(_brackets(t, v, s)) for v, s in zip(*rates(t), strict=True)])
-        # A row is resolved once three grids in a row, each twice as fine, gave the same count.
-        for row, last in enumerate(zip(*counts[-3:], strict=True)):
-            if row not in found and len(last) == 3 and len(set(last)) == 1:
-                found[row] = steps
-        if len(found) == len(counts[0]) or steps >= MAX_STEPS:
-            return [found.get(row, MAX_STEPS) for row in range(len(counts[0]))]
-        steps *= 2
+    return [needed for _, needed in _settled(_turning_brackets(rates), start, stop, steps, alone=True)]
+
+
+def _turning_brackets(
+    rates: Callable[[Array], tuple[Array, Array]], scales: Sequence[float] | None = None
+) -> Callable[[Array], list[Array]]:
+    """What gives the brackets of each row's turning points on a grid."""
+
+    def look(t: Array) -> list[Array]:
+        values, slopes = rates(t)
+        scale = 0.0 if scales is None else np.asarray(scales)
+        return _brackets(t, turns(values, slopes, t[-1] - t[0], scale), len(values))
+
+    return look
 
 
 def magnitude(values: Array, slopes: Array) -> tuple[Array, Array]:
@@ -69,17 +104,17 @@ def magnitude(values: Array, slopes: Array) -> tuple[Array, Array]:
 
 def crossings(values: Callable[[Array], Array], start: float, stop: float, steps: int) -> Array:
     """The times at which one function of time changes sign, found the same way without its rate."""
-    brackets = _settled(lambda t: [_sign_changes(t, values(t))], start, stop, steps)
-    return roots(lambda at: values(at)[None, :], brackets)[0]
+    ((brackets, _),) = _settled(lambda t: _brackets(t, changes(values(t)[None]), 1), start, stop, steps)
+    return roots(lambda at: values(at)[None, :], [brackets])[0]
 
 
 def _settled(
     look: Callable[[Array], list[Array]], start: float, stop: float, steps: int, alone: bool = False
-) -> list[Array]:
+) -> list[tuple[Array, int]]:
     """The brackets that ``look`` finds on a grid, doubled until their counts have stayed the same twice: of all rows
-    at once, or with ``alone`` of each."""
+    at once, or with ``alone`` of each; and the steps of that grid, :data:`MAX_STEPS` where they never have."""
     counts: list[list[int]] = []
-    settled: dict[int, Array] = {}
+    settled: dict[int, tuple[Array, int]] = {}
     steps = min(max(steps, FIRST_STEPS), LATEST_FIRST)
     while True:
         t = np.linspace(start, stop, steps + 1)
@@ -89,33 +124,17 @@ def _settled(
         # Three equal counts on grids that were doubled each time: no sign change has been missed so far.
         same = [len(last) == 3 and len(set(last)) == 1 for last in zip(*counts[-3:], strict=True)]
         for row, found in enumerate(brackets):
-            if alone and same[row]:
-                settled.setdefault(row, found)
-        if all(same) or len(settled) == len(brackets) or steps >= MAX_STEPS:
-            return [settled.get(row, found) for row, found in enumerate(brackets)]
+            if same[row] and (alone or all(same)):
+                settled.setdefault(row, (found, steps))
+        if len(settled) == len(brackets) or steps >= MAX_STEPS:
+            return [settled.get(row, (found, MAX_STEPS)) for row, found in enumerate(brackets)]
         steps *= 2
 
 
-def _brackets(t: Array, values: Array, slopes: Array, scale: float = 0.0) -> Array:
-    # A row that could change by no more than round-off over the whole span has no turning points.
-    size, swing = max(_largest(values), scale), _largest(slopes) * (t[-1] - t[0])
-    if not swing > 1e-11 * size:
-        return np.empty((0, 2))
-    return _sign_changes(t, slopes)
-
-
-def _largest(values: Array) -> float:
-    """The largest finite magnitude."""
-    return float(np.abs(values[np.isfinite(values)]).max(initial=0.0))
-
-
-def _sign_changes(t: Array, f: Array) -> Array:
-    """Pairs of neighbouring times at which f clearly has opposite signs: (brackets, 2)."""
-    # Rates within round-off of zero have no reliable sign and are passed over.
-    clear = ~np.isnan(f) & (np.abs(f) > NOISE * _largest(f))
-    at, sign = t[clear], np.sign(f[clear])
-    turn = np.flatnonzero(sign[:-1] != sign[1:])
-    return np.stack([at[turn], at[turn + 1]], axis=1)
+def _brackets(t: Array, found: Changes, rows: int) -> list[Array]:
+    """The pairs of neighbouring times at which each row clearly has opposite signs: (brackets, 2) each."""
+    ends = np.stack([t[found.before], t[found.after]], axis=1)
+    return [ends[found.who == row] for row in range(rows)]
 
 
 def roots(f: Callable[[Array], Array], brackets: list[Array]) -> list[Array]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from linkwright.results.run import Run
 
 Array = NDArray[np.float64]
+Who = NDArray[np.intp]
 Interval = tuple[float, float]
 
 
@@ -36,24 +38,38 @@ def _within(run: Run, node: Node, low: float, high: float, turning: bool) -> lis
         return np.asarray(run.jets(node, t).d[0])
 
     def beyond(edge: float) -> Array:
-        """Times at which the signal passes an edge."""
-        if turning:
-            return crossings(lambda t: np.sin((value(t) - edge) / 2), run.start, run.stop, run.grid)
-        return crossings(lambda t: value(t) - edge, run.start, run.stop, run.grid)
+        return crossings(lambda t: passed(value(t), edge, turning), run.start, run.stop, run.grid)
 
-    times = np.unique(np.concatenate([[run.start, run.stop], beyond(low), beyond(high)]))
-    middles = value((times[:-1] + times[1:]) / 2)
-    offset = np.mod(middles - low, 2 * np.pi) if turning else middles - low
-    inside = (offset >= 0) & (offset <= high - low)
-    found: list[Interval] = []
-    for a, b, ok in zip(times[:-1], times[1:], inside, strict=True):
-        if not ok:
-            continue
-        if found and found[-1][1] == a:
-            found[-1] = (found[-1][0], float(b))
-        else:
-            found.append((float(a), float(b)))
-    return found
+    t, ends = np.concatenate([[run.start, run.stop], beyond(low), beyond(high)]), (np.full(1, low), np.full(1, high))
+    _, begins, stops = stretches_inside(lambda _, t: value(t), np.zeros(t.size, dtype=np.intp), t, *ends, turning)
+    return list(zip(begins.tolist(), stops.tolist(), strict=True))
+
+
+def passed(values: Array, edge: Array | float, turning: bool) -> Array:
+    """What changes its sign where values pass an edge; of an angle, that or any whole turns from it."""
+    with np.errstate(invalid="ignore"):
+        return np.asarray(np.sin((values - edge) / 2) if turning else values - edge)
+
+
+def stretches_inside(
+    value: Callable[[Who, Array], Array], who: Who, t: Array, low: Array, high: Array, turning: bool
+) -> tuple[Who, Array, Array]:
+    """Sample, start and end (s) of all stretches, ascending, on which a value lies in ``low`` .. ``high`` (samples,).
+    Between neighbouring times ``t`` (n,) of a sample of ``who`` (n,), which has its ends among them, it passes no edge.
+    """
+    order = np.lexsort((t, who))
+    who, t = who[order], t[order]
+    between = (who[1:] == who[:-1]) & (t[1:] > t[:-1])
+    who, a, b = who[1:][between], t[:-1][between], t[1:][between]
+    # The middle of each piece decides for the whole of it.
+    middles = value(who, (a + b) / 2)
+    offset = np.mod(middles - low[who], 2 * np.pi) if turning else middles - low[who]
+    inside = (offset >= 0) & (offset <= high[who] - low[who])
+    who, a, b = who[inside], a[inside], b[inside]
+    # Neighbouring pieces inside are one stretch.
+    apart = (who[1:] != who[:-1]) | (a[1:] != b[:-1])
+    begins, ends = np.append(True, apart)[: who.size], np.append(apart, True)[: who.size]
+    return who[begins], a[begins], b[ends]
 
 
 def passing(run: Run, node: Node, spans: list[Interval], turning: bool) -> Array:

@@ -24,7 +24,7 @@ class Loop:
         """Of the joints in order, whether each leaves a turn; the others leave a travel."""
         return tuple(bool(joint.kind.angular) for joint in self.joints)
 
-    def turned(self, by: int) -> Loop:
+    def rotated(self, by: int) -> Loop:
         """The same loop begun ``by`` links later."""
         return Loop(self.links[by:] + self.links[:by], self.joints[by:] + self.joints[:by])
 

@@ -1,4 +1,9 @@
-"""Extremes of curves of many samples, each root-found on exact rates between places of a shared grid."""
+"""Extremes of curves of many samples, each root-found on exact rates between places of a shared grid.
+
+Not one with the search of a single run (:mod:`linkwright.measures.search`): that doubles its grid until nothing more
+is found and takes limits at singular places from series, which is surer and too slow for thousands of samples. Both
+find their roots by ``bracketed`` of :mod:`linkwright.results.stationary`.
+"""
 
 from __future__ import annotations
 
@@ -8,14 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.reductions import Figures
-from linkwright.results.batch_run import Bunch, Changes, What, Who, changes
+from linkwright.results.batch_run import Bunch, What, Who
 from linkwright.results.batch_windows import Spans
+from linkwright.results.stationary import Changes, turns
 from linkwright.studies.one_sided_limits import Candidates
 
 Array = NDArray[np.float64]
 
-STILL = 1e-11
-"""A curve whose rate lets it vary by less than this share of its size only varies by round-off."""
 OVER, HOLLOW = 2.0, 0.25
 """How far beyond the ends of a bracket an extreme in it may lie, over where their tangents meet; and besides, over what
 the flatter one makes over the bracket."""
@@ -36,7 +40,7 @@ def peaks(
     Only brackets that may hold the extreme are searched: where it is concave a curve stays below its tangents.
     """
     value, rate = bunch.on_grid(what)
-    found = turns(bunch, value, rate)
+    found = turns(value, rate, bunch.length)
     limits = {sign: _limit(bunch, found, value, rate, sign) for sign in {sign for _, sign in asks}}
     if gaps is not None:
         broken = gaps.touched(found.who, bunch.t[found.who, found.before], bunch.t[found.who, found.after])
@@ -66,12 +70,6 @@ def peaks(
         known = (np.isfinite(value) | ~inside[id(spans)]).all(axis=1)
         figures.append(Figures(np.where(known, figure.values, np.nan), np.where(known, figure.times, np.nan)))
     return figures
-
-
-def turns(bunch: Bunch, value: Array, rate: Array) -> Changes:
-    """Where the rate of a curve changes sign between places of the grid."""
-    size, swing = (np.where(np.isfinite(y), np.abs(y), 0.0).max(axis=1) for y in (value, rate))
-    return changes(rate, swing * bunch.length > STILL * size)
 
 
 def _limit(bunch: Bunch, found: Changes, value: Array, rate: Array, sign: float) -> Array:

@@ -44,17 +44,6 @@ CHUNK = 1 << 17
 """Poses of the grid that are looked at together."""
 
 
-def measure_many(
-    varied: Varied, run: Run, p: Array, measures: Sequence[BoundMeasure] | None = None, stop: Array | None = None
-) -> Many:
-    """Some measures, or all of the mechanism, of the samples ``p`` (parameters, samples) as :meth:`Varied.parameters`
-    gives them. ``run`` is the nominal one; ``stop`` (samples,) are the ends of their runs (s) where these differ.
-
-    To ask again and again keep a :class:`Measuring`.
-    """
-    return Measuring(varied, run, measures).evaluate(p, stop)
-
-
 class Measuring:
     """What the nominal run tells of how to measure many others; :meth:`of` may be called from several threads."""
 

@@ -1,4 +1,9 @@
-"""Means of curves of many samples, by Gauss quadrature between their corners."""
+"""Means of curves of many samples, by Gauss quadrature between their corners.
+
+Not one with that of a single run (:mod:`linkwright.measures.means`), which halves each panel until it stands and takes
+what lies beside poles from series: here all samples share the panels that the nominal run needs, so that a sample's
+mean doesn't depend on the others to the last bit.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +17,7 @@ from linkwright.results.batch_run import Bunch, What, Who
 from linkwright.results.batch_windows import Spans, each
 from linkwright.results.discontinuities import switches
 from linkwright.results.quadrature import panel_points
-from linkwright.studies.batch_extremes import turns
+from linkwright.results.stationary import turns
 
 Array = NDArray[np.float64]
 Corners = tuple[Who, Array]
@@ -26,7 +31,7 @@ def corners(bunch: Bunch, what: Node, others: Sequence[Node]) -> Corners:
     """Where a curve may have a kink: zeros of what makes one, and of ``others``; turning points where a root does."""
     found = [bunch.crossings(node) for node in dict.fromkeys([*_switches(what), *others])]
     if any(isinstance(node, Call) and node.name in ("hypot", "sqrt") for node in nodes(what)):
-        found.append(bunch.turning(what, turns(bunch, *bunch.on_grid(what))))
+        found.append(bunch.turning(what, turns(*bunch.on_grid(what), bunch.length)))
     if not found:
         return np.empty(0, dtype=np.intp), np.empty(0)
     who, t = (np.concatenate(part) for part in zip(*found, strict=True))

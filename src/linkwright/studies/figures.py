@@ -78,3 +78,9 @@ class SampleFigures:
         rows = [many.figures[column.measure][column.label].values for column in self.columns]
         met = [many.met[name].astype(float) for name in self.required]
         return np.stack(rows), np.stack(met) if met else np.empty((0, p.shape[1]))
+
+
+def per(unit: str, other: str) -> str:
+    """The unit of one quantity over another."""
+    below = f"({other})" if "/" in other or "*" in other else other
+    return f"{unit or 1}/{below}" if other else unit

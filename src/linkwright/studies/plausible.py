@@ -26,14 +26,16 @@ def coincident(run: Run) -> Iterator[Finding]:
     """A note for each two points of different links that aren't joined, and yet lie in one place all along."""
     signals, size = run.compiled.quantities.signals, run.compiled.assembly.size()
     pins = {point: pin for pin in signals.pins.values() for _, point in pin.members}
-    links = {point: {*pins[point].links} if point in pins else {link} for point, link in signals.homes.items()}
+    links = {
+        point: {*pins[point].links} if point in pins else {link} for point, link in signals.links_of_points.items()
+    }
     points = list(links)
     known = np.array([*_places(run, points).values()])
     at_first = np.abs(known[:, None, 0] - known[None, :, 0]) < NEAR * size
     for i, k in np.argwhere(np.triu(at_first, 1)):
         first, second = points[i], points[k]
         if not links[first] & links[second] and np.abs(known[i] - known[k]).max() < NEAR * size:
-            path = ("links", signals.homes[second], "points", second)
+            path = ("links", signals.links_of_points[second], "points", second)
             yield Finding("plausible.coincident", path, {"first": first, "second": second}, severity="note")
 
 

@@ -14,7 +14,7 @@ from pydantic import BeforeValidator, Field
 
 from linkwright.elements.entries import ForceEntry
 from linkwright.elements.force import AskedTable, Between, Break, ForceKind, Misfit, SignalChart, Use, register
-from linkwright.elements.points import homes
+from linkwright.elements.points import links_of_points
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Name
 from linkwright.expressions.language import Binary
@@ -117,7 +117,7 @@ class BumpStop(ForceKind[BumpStopEntry]):
         return [Misfit(reports.rows[f"{name}.push"] - self._seen(reports, entry)[2], force=True)]
 
     def _seen(self, reports: Any, entry: Any) -> Any:
-        geometry, found = reports.geometry, homes(reports.geometry.mechanism)
+        geometry, found = reports.geometry, links_of_points(reports.geometry.mechanism)
         start, end = (
             (found[p], reports.point_position(found[p], geometry.point(found[p], p))) for p in entry.bump_stop
         )
@@ -131,7 +131,7 @@ class BumpStop(ForceKind[BumpStopEntry]):
         return "distance"
 
     def outline(self, mechanism: Any, entry: Any) -> Between:
-        return Between([homes(mechanism)[point] for point in entry.bump_stop], entry.bump_stop, "strut")
+        return Between([links_of_points(mechanism)[point] for point in entry.bump_stop], entry.bump_stop, "strut")
 
     def sentence(self, name: str, entry: Any, effort: float, shown: Any) -> Term:
         start, end = entry.bump_stop
@@ -139,5 +139,5 @@ class BumpStop(ForceKind[BumpStopEntry]):
 
 
 def _ends(context: Any, entry: Any) -> Any:
-    found = homes(context.geometry.mechanism)
+    found = links_of_points(context.geometry.mechanism)
     return [(found[p], context.bodies[found[p]].point(context.geometry.point(found[p], p))) for p in entry.bump_stop]

@@ -102,7 +102,7 @@ class GearOnCarrier(JointKind):
         # Of reported axes only the angle but for whole turns is known: that of a turn of the mesh.
         entry = reports.geometry.mechanism.joints[joint]
         ratio = float(reports.geometry.number(entry.ratio, u.PURE))
-        a, b, c = (np.arctan2(*reports.turned(link, (1.0, 0.0))[::-1]) for link in links)
+        a, b, c = (np.arctan2(*reports.rotated(link, (1.0, 0.0))[::-1]) for link in links)
         off = np.unwrap(a - c) + ratio * np.unwrap(b - c)
         off = off - off[0]
         return [Miss(off - 2 * np.pi * np.round(off / (2 * np.pi)), length=False)]

@@ -13,7 +13,7 @@ from typing import Annotated, Any, ClassVar
 import numpy as np
 from pydantic import BeforeValidator, Field
 
-from linkwright.elements.follower import Follower, FollowerEntry, Riding, register_follower
+from linkwright.elements.follower import Follower, FollowerEntry, MotorRelation, register_follower
 from linkwright.elements.joint import Applied
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Name
@@ -65,9 +65,9 @@ class Indexer(Follower):
     def laws(self) -> Mapping[str, str]:
         return {"law": self.entry.law}
 
-    def riding(self, geometry: Any, motions: Any) -> Riding:
+    def relation(self, geometry: Any, motions: Any) -> MotorRelation:
         law = motions[self.entry.law]
-        return Riding(
+        return MotorRelation(
             lambda at, angle: law.at_parameters(at.parameters).on(angle + at.number(self.entry.phase, u.ANGLE))
         )
 

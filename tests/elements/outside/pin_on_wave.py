@@ -97,7 +97,7 @@ class PinOnWave(JointKind):
         x, _ = inner.local(bodies[a], bodies[b])
         if attribute != "force":
             return x.d[self.orders[attribute]]
-        turned = inner.normal(x.d[0]).turned(bodies[b].direction(inner.heading).now)
+        turned = inner.normal(x.d[0]).rotated(bodies[b].direction(inner.heading).now)
         return -reaction(a).force.dot(turned)
 
     def outline(self, geometry: Any, joint: str, low: float, high: float) -> list[tuple[str, Any]]:
@@ -126,7 +126,7 @@ def seen(reports: Any, joint: str) -> tuple[Any, Any, Any]:
     a, b = entry.links
     height, length = (float(geometry.number(part, u.LENGTH)) for part in (entry.height, entry.length))
     angle = float(geometry.number(entry.along.angle, u.ANGLE))
-    along = reports.turned(b, (np.cos(angle), np.sin(angle)))
+    along = reports.rotated(b, (np.cos(angle), np.sin(angle)))
     left = np.array([-along[1], along[0]])
     place = reports.point_position(a, geometry.point(a, entry.pin))
     away = place - reports.point_position(b, geometry.point(b, entry.along.point))

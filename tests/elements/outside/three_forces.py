@@ -86,10 +86,10 @@ class Inerter(ForceKind[InerterEntry]):
     def effort(self, entry: Any) -> str:
         return "moment"
 
-    def turned(self, entry: Any) -> tuple[str, str]:
+    def counted_angle(self, entry: Any) -> tuple[str, str]:
         return entry.inerter, "frame"
 
-    def home(self, entry: Any, value: Any, middle: Any) -> float:
+    def start_angle(self, entry: Any, value: Any, middle: Any) -> float:
         return 3.0
 
     def wrenches(self, context: Any, name: str, entry: Any) -> Iterator[tuple[str, Wrench]]:

@@ -125,7 +125,7 @@ def test_an_offset_of_two_origins_is_not_told_apart() -> None:
     rows = run.evaluate(["Q.x", "Q.y"], np.array(ANGLES) / 360).T.tolist()
     listed = [{"t": a / 360, "Q.x": x * 1e3 + 0.01, "Q.y": y * 1e3} for a, (x, y) in zip(ANGLES, rows, strict=True)]
     made, notes = found(document, points=listed)
-    assert notes == ["accuracy.not-told-apart"]
+    assert notes == ["accuracy.not-identifiable"]
     (open_,) = made.confounded
     assert open_.deviations["q"] == pytest.approx(-open_.deviations["s"], rel=1e-9)
 

@@ -96,7 +96,7 @@ def test_scores_that_no_matrix_gives_are_mended() -> None:
     stated = np.array([[1, 0.5, -0.5], [0.5, 1, 0.5], [-0.5, 0.5, 1]])
     of = some(["uniform"] * 3, stated)
     (finding,) = copula(of).findings
-    assert (finding.code, finding.severity) == ("accuracy.correlation-mended", "warning")
+    assert (finding.code, finding.severity) == ("accuracy.correlation-adjusted", "warning")
     assert np.abs(np.corrcoef(sampled(of)) - stated).max() < 0.03
     assert not copula(some(["normal"] * 3, stated)).findings
 

@@ -24,11 +24,12 @@ from linkwright.report.page import page
 from linkwright.report.summary import worded
 from linkwright.studies.accuracy.charts import curve_charts, figure_charts
 from linkwright.studies.accuracy.disagreement import along, disagreement
-from linkwright.studies.accuracy.files import contributors_csv, dataset
+from linkwright.studies.accuracy.files import contributors_csv
 from linkwright.studies.accuracy.outcome import AccuracyOutcome
 from linkwright.studies.accuracy.report import report, sentences
-from linkwright.studies.accuracy.summary import accuracy_entry, per
+from linkwright.studies.accuracy.summary import accuracy_entry
 from linkwright.studies.accuracy.tables import overview, review, review_text
+from linkwright.studies.figures import per
 from linkwright.studies.registry import Outcomes
 from studies.models import slider_crank
 
@@ -259,7 +260,7 @@ def test_a_csv_row_for_each_output_and_contributor(made: AccuracyOutcome) -> Non
 
 
 def test_a_csv_row_for_each_pose(made: AccuracyOutcome) -> None:
-    header, *lines = csv.reader(io.StringIO(dataset(made).csv("time") or ""))
+    header, *lines = csv.reader(io.StringIO(made.dataset.csv("time") or ""))
     columns = dict(zip(header, np.array(lines, dtype=float).T, strict=True))
     curve = made.curves["C.x"]
     angle = 2 * np.pi * columns["t [s]"]
@@ -274,7 +275,7 @@ def test_a_csv_row_for_each_pose(made: AccuracyOutcome) -> None:
 
 
 def test_netcdf_is_in_si(made: AccuracyOutcome) -> None:
-    with netcdf_file(io.BytesIO(dataset(made).netcdf()), mmap=False) as file:
+    with netcdf_file(io.BytesIO(made.dataset.netcdf()), mmap=False) as file:
         v, curve = file.variables, made.curves["C.x"]
         np.testing.assert_array_equal(v["C.x sigma"][:], curve.sigma)
         assert v["C.x sigma"].units == b"m"
@@ -332,4 +333,4 @@ def test_nothing_computed_is_said(made: AccuracyOutcome) -> None:
     kinds = [getattr(block, "name", type(block)) for block in section.blocks if filled(block)]
     assert kinds == [Sentences, "correlations"]  # neither outputs nor anything of one
     assert accuracy_entry(empty)["accuracy"] == {}
-    assert (contributors_csv(empty), dataset(empty).csv("time")) == (None, None)
+    assert (contributors_csv(empty), empty.dataset.csv("time")) == (None, None)

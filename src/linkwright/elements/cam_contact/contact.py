@@ -35,14 +35,14 @@ def sense(geometry: FollowerGeometry, drive: CamFollower) -> int:
         return 1 if drive.cam.sense == "counter-clockwise" else -1
     speed = geometry.mechanism.drives[drive.motor].speed
     forward = speed is None or geometry.nominal.number(speed, u.OMEGA) >= 0
-    return drive.turned if forward else -drive.turned
+    return drive.motor_sign if forward else -drive.motor_sign
 
 
 def argument(geometry: FollowerGeometry, drive: CamFollower, motor: Node | None = None) -> Node:
     """The angle at which the cam's law is asked (rad), as a tree in SI of the motor's angle or of what this is."""
-    factor = Number(float(sense(geometry, drive) * drive.turned))
-    turned = Binary("*", factor, motor or Name(f"{drive.motor}.angle"))
-    return Binary("+", turned, geometry.bind(drive.cam.phase, u.ANGLE))
+    factor = Number(float(sense(geometry, drive) * drive.motor_sign))
+    cam_angle = Binary("*", factor, motor or Name(f"{drive.motor}.angle"))
+    return Binary("+", cam_angle, geometry.bind(drive.cam.phase, u.ANGLE))
 
 
 def tree(geometry: FollowerGeometry, drive: CamFollower, motor: Node) -> Node:
@@ -70,7 +70,7 @@ class CamPair:
     roller: Scalar
     reach: Scalar
     aside: Scalar  # of a sliding follower: how far right of the shaft it slides, looking the way that it rises
-    home: Scalar  # of a swinging follower: the direction from its pivot to the shaft
+    shaft_direction: Scalar  # of a swinging follower: the direction from its pivot to the shaft
     offset: Scalar
     sign: int
     faced: bool
@@ -112,7 +112,7 @@ def seat(geometry: FollowerGeometry, drive: CamFollower) -> CamPair:
     faced = cam.face is not None
     if drive.pivot is not None:
         own, pivot = geometry.pinned(drive.link, drive.pivot[0]), geometry.pinned(on, drive.pivot[1])
-        arm, home = touching.minus(own), shaft.minus(pivot)
+        arm, to_shaft = touching.minus(own), shaft.minus(pivot)
         far = plain.point(on, drive.shaft[1]).minus(plain.point(on, drive.pivot[1]))
         if cam.face is not None:
             heading = geometry.number(cam.face.angle, u.ANGLE)
@@ -120,7 +120,7 @@ def seat(geometry: FollowerGeometry, drive: CamFollower) -> CamPair:
         else:
             about = plain.point(drive.link, cam.touches).minus(plain.point(drive.link, drive.pivot[0]))
             reach, turn = call("sqrt", arm.dot(arm)), _angle(arm, about)
-        back, none = _angle(home, far), Pair(0.0, 0.0)
+        back, none = _angle(to_shaft, far), Pair(0.0, 0.0)
         return CamPair(shaft, pivot, none, base, roller, reach, 0.0, back, back - turn, -drive.side, faced, True)
     assert drive.joint is not None
     (at, heading_on), (foot, heading_of) = (geometry.seat(drive.joint, link)[:2] for link in (on, drive.link))

@@ -48,7 +48,7 @@ class _EntryReader:
         if self.findings or shaft is None or motor is None:
             return self.findings
         data: dict[str, Any] = {"entry": cam, "link": cam.follower, "on": cam.on, "motor": motor, "side": side}
-        data |= {"turned": 1 if m.drives[motor].link == cam.cam else -1, "turning": pivot is not None}
+        data |= {"motor_sign": 1 if m.drives[motor].link == cam.cam else -1, "turning": pivot is not None}
         data |= {"shaft": (shaft.point(cam.cam), shaft.point(cam.on))}
         if pivot is not None:
             return data | {"pivot": (pivot.point(cam.follower), pivot.point(cam.on))}

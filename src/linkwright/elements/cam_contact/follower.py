@@ -18,8 +18,8 @@ from linkwright.elements.follower import (
     FollowerGeometry,
     FollowerReports,
     Motions,
+    MotorRelation,
     PoseQuery,
-    Riding,
     UnitEffort,
     register_follower,
 )
@@ -40,9 +40,9 @@ class CamFollower(Follower):
     """A follower on its cam; its effort is the force in the contact.
 
     ``shaft`` are the points of cam and carrier on the cam's pin, ``pivot`` those of follower and carrier on the
-    follower's. ``turned`` is +1 where the motor's value is the cam's angle on the carrier, -1 where it is the carrier's
-    on the cam. ``side`` is +1 where the follower's contact lies left of the line from shaft to pivot, or where it rises
-    along the slide; else -1.
+    follower's. ``motor_sign`` is +1 where the motor's value is the cam's angle on the carrier, -1 where it is the
+    carrier's on the cam. ``side`` is +1 where the follower's contact lies left of the line from shaft to pivot, or
+    where it rises along the slide; else -1.
     """
 
     shaft: tuple[str, str] = ("", "")
@@ -96,9 +96,9 @@ class CamFollower(Follower):
     def laws(self) -> Mapping[str, str]:
         return {"law": self.cam.law}
 
-    def riding(self, geometry: FollowerGeometry, motions: Motions) -> Riding:
+    def relation(self, geometry: FollowerGeometry, motions: Motions) -> MotorRelation:
         motion, turn = motions[self.cam.law], contacts.base_circle_turns(geometry, self)
-        factor = float(contacts.sense(geometry, self) * self.turned)
+        factor = float(contacts.sense(geometry, self) * self.motor_sign)
 
         def value(at: FollowerGeometry, angle: Jet) -> Jet:
             here = contacts.seat(at, self)
@@ -106,7 +106,7 @@ class CamFollower(Follower):
             found: Jet = here.sign * lift + (here.offset + here.sign * here.start - turn)
             return found
 
-        return Riding(value, largest(self, motion) if self.derived else 0.0)
+        return MotorRelation(value, largest(self, motion) if self.derived else 0.0)
 
     def acting(self, name: str, poses: PoseQuery, ratio: Scalar) -> UnitEffort:
         return contacts.contact(poses, self, ratio)

@@ -38,7 +38,7 @@ def contact(r: FollowerReports, drive: CamFollower, second: bool = False) -> tup
     """
     cam = drive.cam
     number = r.number
-    turn = r.rows[f"{drive.motor}.angle"] * drive.turned  # of the cam on its carrier
+    turn = r.rows[f"{drive.motor}.angle"] * drive.motor_sign  # of the cam on its carrier
     forward = cam.sense or ("clockwise" if _backward(r, drive) else "counter-clockwise")
     forward_sign = 1.0 if forward == "counter-clockwise" else -1.0
     lift, asked = r.motions[cam.law], forward_sign * turn + number(cam.phase, u.ANGLE)
@@ -93,20 +93,20 @@ def _second(
     else:
         arm = -drive.side * (_quarter(face) * (at - pivot)).sum(axis=0)
         angle = left + np.arcsin((base - arm) / away)
-    home = (shaft - pivot) / away
-    beam = np.cos(angle) * home + drive.side * np.sin(angle) * _quarter(home)
+    to_shaft = (shaft - pivot) / away
+    beam = np.cos(angle) * to_shaft + drive.side * np.sin(angle) * _quarter(to_shaft)
     return (pivot + arm * beam, None) if face is None else (pivot + drive.side * arm * _quarter(beam), beam)
 
 
 def _direction(r: FollowerReports, drive: CamFollower, face: LineOn) -> Array:
     """The direction of a follower's face."""
     heading = r.number(face.angle, u.ANGLE)
-    return r.turned(drive.link, (np.cos(heading), np.sin(heading)))
+    return r.rotated(drive.link, (np.cos(heading), np.sin(heading)))
 
 
 def _backward(r: FollowerReports, drive: CamFollower) -> bool:
     speed = r.geometry.mechanism.drives[drive.motor].speed
-    return (drive.turned < 0) != (speed is not None and r.number(speed, u.OMEGA) < 0)
+    return (drive.motor_sign < 0) != (speed is not None and r.number(speed, u.OMEGA) < 0)
 
 
 def _quarter(vector: Array) -> Array:

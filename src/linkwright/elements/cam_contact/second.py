@@ -52,8 +52,8 @@ def second(geometry: FollowerGeometry, drive: CamFollower, total: Scalar) -> Con
         own = geometry.point(drive.link, drive.pivot[0])
         turn = unit_vector(-here.sign * between)
         if first.face is None:
-            return ContactFeature(_plus(own, first.at.minus(own).turned(turn)), None)
-        face = first.face.turned(turn)
+            return ContactFeature(_plus(own, first.at.minus(own).rotated(turn)), None)
+        face = first.face.rotated(turn)
         return ContactFeature(_plus(own, outward(other, face), here.reach), face)
     assert drive.joint is not None
     heading = geometry.line(drive.joint, drive.link)[1]

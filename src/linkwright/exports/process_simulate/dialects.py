@@ -79,7 +79,7 @@ class Dialect:
         values = links.numbers(arm.length)
         if values.min() > 0:
             return arm.angle
-        return arm.angle.turned(math.pi) if values.max() < 0 else None
+        return arm.angle.rotated(math.pi) if values.max() < 0 else None
 
     def reference(self, links: Linkage, vector: Vector, seen: Angle) -> tuple[Angle, float]:
         """A direction from which a vector's strays within the window, and which side of it: +1, -1, 0 both.
@@ -99,11 +99,11 @@ class Dialect:
                     room = min(low - start, start + self.window - high)
                     if room > CLEAR:
                         key = (weight, quarter % 2, -round(room, 6), side < 0, len(plain))
-                        plain.append((*key, arm.angle.turned(base), side))
+                        plain.append((*key, arm.angle.rotated(base), side))
             start = (low + high - self.window) / 2
             side, base = (1.0, start) if self.window < 4 else (0.0, start + self.window / 2)
             if low - start > LEAST:
-                centred.append((weight, 0, start - low, False, len(centred), arm.angle.turned(base), side))
+                centred.append((weight, 0, start - low, False, len(centred), arm.angle.rotated(base), side))
         if not plain and not centred:
             raise Refused(_too_far(links, vector, widest, self))
         found = min(plain or centred)

@@ -47,7 +47,7 @@ class DyadSide:
             self.links.place_by_drive(edge.joint, edge.base, edge.link)
 
     @property
-    def turned(self) -> Angle:
+    def meeting_angle(self) -> Angle:
         """The angle of the link at the inner joint against the end."""
         return self.links.angles[self.meeting].minus(self.links.angles[self.end])
 
@@ -56,7 +56,7 @@ class DyadSide:
         links = self.links
         seat = links.seats[self.end]
         start, stop = _on(links, self.end, self.end, seat.foot), _on(links, self.end, self.meeting, to)
-        return stop.minus(start).turned(Angle().minus(links.angles[self.end]))
+        return stop.minus(start).rotated(Angle().minus(links.angles[self.end]))
 
     @property
     def start(self) -> Vector:
@@ -67,7 +67,7 @@ class DyadSide:
     @property
     def line(self) -> Angle:
         """The heading of the known line on which the end slides."""
-        return self.links.angles[self.base].turned(self.links.seats[self.end].heading)
+        return self.links.angles[self.base].rotated(self.links.seats[self.end].heading)
 
     def turn(self, angle: Angle) -> None:
         """Give the end its angle."""
@@ -142,13 +142,13 @@ class RRR(Rule):
         # From the first arm to the second, and what that makes between the links that meet.
         bend = Angle().plus(links.hidden(opening), round(branch))
         apart = bend.plus(own[0]).minus(own[1])
-        meeting = apart.plus(second.turned).minus(first.turned)
+        meeting = apart.plus(second.meeting_angle).minus(first.meeting_angle)
         inner, sign = links.between(group.inner.joint, first.meeting, second.meeting)
         if inner is not None:
             links.set_function(inner, Angle().plus(meeting, round(sign)).tree(links.symbols))
             if not inner.left_out:
                 meeting = Angle().plus(links.offset(inner), round(sign))
-                apart = meeting.minus(second.turned).plus(first.turned)
+                apart = meeting.minus(second.meeting_angle).plus(first.meeting_angle)
                 bend = apart.plus(own[1]).minus(own[0])
         triangle = Triangle(base, (arms[0], arms[1]), (l1, l2), branch, bend)
         order = list(links.seats)
@@ -156,7 +156,7 @@ class RRR(Rule):
             (0, 1),
             key=lambda k: (sides[k].has_outer_joint, order.index(sides[k].base) if sides[k].base in order else -1),
         )
-        heading = dialect.aim(links, base, links.angles[sides[side].base]).turned(math.pi * side)
+        heading = dialect.aim(links, base, links.angles[sides[side].base]).rotated(math.pi * side)
         angle = heading.plus(dialect.from_base(links, triangle, side)).minus(own[side])
         sides[side].turn(angle)
         there = links.angles[sides[side].end].plus(apart, (1, -1)[side])
@@ -174,13 +174,13 @@ class RRP(Rule):
     def apply(self, links: Linkage, dialect: Dialect, group: Group, first: DyadSide, second: DyadSide) -> None:
         branch, symbols, line = links.branches[group], links.symbols, second.line
         arm = first.arm(links.pin(group.inner, first.meeting))
-        offset = second.arm(links.pin(group.inner, second.meeting)).turned(links.angles[second.end])
+        offset = second.arm(links.pin(group.inner, second.meeting)).rotated(links.angles[second.end])
         start = second.start.minus(first.start).plus(offset)
         aside = start.across(line, symbols)
         lean = links.hidden(call("acos", divide(aside, dialect.length(links, arm))))
-        heading = line.turned(math.pi / 2).plus(lean, -round(branch))
+        heading = line.rotated(math.pi / 2).plus(lean, -round(branch))
         first.turn(heading.minus(dialect.aim(links, arm)))
-        ahead = dialect.root(links, arm.turned(links.angles[first.end]), aside, line, branch)
+        ahead = dialect.root(links, arm.rotated(links.angles[first.end]), aside, line, branch)
         second.out(add(ahead, negated(start.along(line, symbols))))
 
 
@@ -194,9 +194,9 @@ class RPR(Rule):
         branch, symbols, sides = links.branches[group], links.symbols, (first, second)
         base = second.start.minus(first.start)
         ends = [links.line(group.inner, side.meeting) for side in sides]
-        headings = [side.turned.turned(angle) for side, (_, angle) in zip(sides, ends, strict=True)]
+        headings = [side.meeting_angle.rotated(angle) for side, (_, angle) in zip(sides, ends, strict=True)]
         arms = [side.arm(point) for side, (point, _) in zip(sides, ends, strict=True)]
-        seen = [arm.turned(Angle().minus(heading)) for arm, heading in zip(arms, headings, strict=True)]
+        seen = [arm.rotated(Angle().minus(heading)) for arm, heading in zip(arms, headings, strict=True)]
         between = seen[0].minus(seen[1])
         across, along = between.across(Angle(), symbols), between.along(Angle(), symbols)
         side = 0 if first.has_outer_joint else 1
@@ -204,10 +204,10 @@ class RPR(Rule):
         size = float(abs(links.numbers(base.square(symbols))).max()) ** 0.5
         if abs(links.numbers(across)).max() <= STRAIGHT * size:
             across = number(0.0)
-            heading = aim.turned(0.0 if branch > 0 else math.pi)
+            heading = aim.rotated(0.0 if branch > 0 else math.pi)
         else:
             lean = links.hidden(call("acos", divide(across, dialect.length(links, base))))
-            heading = aim.turned(-math.pi / 2).plus(lean, round(branch))
+            heading = aim.rotated(-math.pi / 2).plus(lean, round(branch))
         sides[side].turn(heading.minus(headings[side]))
         heading = links.angles[sides[side].end].plus(headings[side])
         other = sides[1 - side]
@@ -226,7 +226,7 @@ class PRP(Rule):
     def apply(self, links: Linkage, dialect: Dialect, group: Group, first: DyadSide, second: DyadSide) -> None:
         symbols, lines, starts = links.symbols, (first.line, second.line), []
         for side in (first, second):
-            offset = side.arm(links.pin(group.inner, side.meeting)).turned(links.angles[side.end])
+            offset = side.arm(links.pin(group.inner, side.meeting)).rotated(links.angles[side.end])
             starts.append(side.start.plus(offset))
         between, cross = starts[1].minus(starts[0]), sine(lines[1].minus(lines[0]), symbols)
         for side, line in ((first, lines[1]), (second, lines[0])):
@@ -242,11 +242,11 @@ class RPP(Rule):
     def apply(self, links: Linkage, dialect: Dialect, group: Group, first: DyadSide, second: DyadSide) -> None:
         symbols, line = links.symbols, second.line
         (here, own), (there, heading) = (links.line(group.inner, side.meeting) for side in (first, second))
-        inner = links.angles[second.meeting].turned(heading)
-        first.turn(inner.turned(-own).minus(first.turned))
-        inner = links.angles[second.meeting].turned(heading)
-        arm1 = first.arm(here).turned(links.angles[first.end])
-        arm2 = second.arm(there).turned(links.angles[second.end])
+        inner = links.angles[second.meeting].rotated(heading)
+        first.turn(inner.rotated(-own).minus(first.meeting_angle))
+        inner = links.angles[second.meeting].rotated(heading)
+        arm1 = first.arm(here).rotated(links.angles[first.end])
+        arm2 = second.arm(there).rotated(links.angles[second.end])
         between = second.start.minus(first.start).plus(arm2).minus(arm1)
         cross = line.minus(inner)
         travel = divide(negated(between.across(inner, symbols)), sine(cross, symbols))

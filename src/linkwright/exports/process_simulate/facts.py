@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from pydantic import Field
 
 from linkwright.elements.fields import PointName
-from linkwright.elements.points import homes
+from linkwright.elements.points import links_of_points
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Frozen, Name
 from linkwright.expressions.typed_fields import Ref
@@ -168,7 +168,7 @@ def panel_of(compiled: Compiled, options: Facts) -> str:
     """The link whose opening is told."""
     point = next(iter([*options.outline, *filter(None, [options.handle])]), None)
     if options.panel is not None or point is not None:
-        return options.panel or homes(compiled.mechanism)[str(point)]
+        return options.panel or links_of_points(compiled.mechanism)[str(point)]
     topology = compiled.structure.topology
     on_frame = {link for pin in topology.pins.values() if FRAME in pin.links for link in pin.links}
     on_frame |= {
@@ -234,7 +234,7 @@ def swept(corners: Array) -> Any:
 
 def check_facts(compiled: Compiled, options: Facts, path: tuple[str | int, ...]) -> list[Finding]:
     """What is wrong with the options, which stand at ``path`` in the file."""
-    m, points = compiled.mechanism, homes(compiled.mechanism)
+    m, points = compiled.mechanism, links_of_points(compiled.mechanism)
     if found := option_faults(m, options, path):
         return found
     if options.handle and points[options.handle] == FRAME:

@@ -152,7 +152,7 @@ class Linkage:
         arm = Vector.fixed(MM * (at.x - seat.foot.x), MM * (at.y - seat.foot.y), self.angles[link])
         if not seat.slide:
             return arm
-        out = Arm(self.slide(seat.slide, seat.base, link), self.angles[seat.base].turned(seat.heading))
+        out = Arm(self.slide(seat.slide, seat.base, link), self.angles[seat.base].rotated(seat.heading))
         return arm.plus(Vector((out,)))
 
     def pin(self, connection: Connection, link: str) -> Pair:
@@ -172,7 +172,7 @@ class Linkage:
             return
         (spot, heading), (foot, own) = self.line(connection, base), self.line(connection, link)
         self.seats[link] = LinkSeat(base, spot, foot, connection.joint, heading)
-        self.angles[link] = self.angles[base].turned(heading - own)
+        self.angles[link] = self.angles[base].rotated(heading - own)
 
     def place_by_drive(self, connection: Connection, base: str, link: str) -> None:
         """Put a link on a base by the driving joint."""

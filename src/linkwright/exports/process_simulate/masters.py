@@ -104,26 +104,26 @@ def mastered(
     if np.ptp(motion.since_zero([master], np.linspace(*motion.hull, 181))) < STILL:
         raise Refused(Finding("functions.master-still", PATH, data))
     turns = crossings(lambda value: motion.rates([master], value)[0], *motion.hull, KNOTS)
-    home = _home(motion, turns)
-    here = data | _dead_centre(motion, turns, home)
-    if turns.size and not home[0] < reach.zero < home[1]:
+    branch_range = _branch_range(motion, turns)
+    here = data | _dead_centre(motion, turns, branch_range)
+    if turns.size and not branch_range[0] < reach.zero < branch_range[1]:
         raise Refused(Finding("functions.master-zero", PATH, here))
     if stops is not None:
-        return _between(replace(motion, reach=_limited_reach(reach, home)), stops), []
+        return _between(replace(motion, reach=_limited_reach(reach, branch_range)), stops), []
     if not turns.size:
         return replace(motion, reach=reach), []
     if asked:
         raise Refused(Finding("functions.master-turns", PATH, here))
-    return replace(motion, reach=_limited_reach(reach, home)), [
+    return replace(motion, reach=_limited_reach(reach, branch_range)), [
         Finding("functions.master-cut", PATH, here, severity="warning")
     ]
 
 
-def _dead_centre(motion: Mastered, turns: Array, home: tuple[float, float]) -> dict[str, str]:
+def _dead_centre(motion: Mastered, turns: Array, branch_range: tuple[float, float]) -> dict[str, str]:
     """The dead centre nearest to the zero pose, and the range around that without one, as data of a finding."""
     unit, size = motion.compiled.quantities.drive_unit(motion.drive)
     at = [f"{turns[np.abs(turns - motion.reach.zero).argmin()] / size:.8g}"] if turns.size else ["-"]
-    return {"drive": motion.drive, "unit": unit, "at": at[0], **offered(home, size)}
+    return {"drive": motion.drive, "unit": unit, "at": at[0], **offered(branch_range, size)}
 
 
 def _limited_reach(reach: DriveReach, ends: tuple[float, float]) -> DriveReach:
@@ -140,7 +140,7 @@ def _between(motion: Mastered, stops: tuple[float, float]) -> Mastered:
     return replace(motion, reach=_limited_reach(motion.reach, (low, high)))
 
 
-def _home(motion: Mastered, turns: Array) -> tuple[float, float]:
+def _branch_range(motion: Mastered, turns: Array) -> tuple[float, float]:
     """The values of the drive around the zero pose between which the master goes one way, short of its dead centres;
     no room where the zero pose is at one."""
     (low, high), zero = motion.hull, motion.reach.zero

@@ -32,7 +32,7 @@ class Angle:
         """The difference."""
         return self.plus(other, -1)
 
-    def turned(self, by: float) -> Angle:
+    def rotated(self, by: float) -> Angle:
         """The angle with a number added (rad)."""
         return Angle(self.constant + by, self.parts)
 
@@ -110,7 +110,7 @@ class Vector:
     @classmethod
     def fixed(cls, x: float, y: float, angle: Angle) -> Vector:
         """A vector (mm) on a link at an angle."""
-        return cls.of([Arm(number(math.hypot(x, y)), angle.turned(math.atan2(y, x)))])
+        return cls.of([Arm(number(math.hypot(x, y)), angle.rotated(math.atan2(y, x)))])
 
     def plus(self, other: Vector) -> Vector:
         """The sum."""
@@ -118,9 +118,9 @@ class Vector:
 
     def minus(self, other: Vector) -> Vector:
         """The difference."""
-        return self.plus(Vector(tuple(Arm(arm.length, arm.angle.turned(math.pi)) for arm in other.arms)))
+        return self.plus(Vector(tuple(Arm(arm.length, arm.angle.rotated(math.pi)) for arm in other.arms)))
 
-    def turned(self, by: Angle) -> Vector:
+    def rotated(self, by: Angle) -> Vector:
         """The vector turned by an angle."""
         return Vector(tuple(Arm(arm.length, arm.angle.plus(by)) for arm in self.arms))
 

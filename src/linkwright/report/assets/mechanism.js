@@ -392,10 +392,10 @@ function widestGap([a, b], points) {
   return mean(gaps.reduce((best, gap) => (size(gap) > size(best) ? gap : best)));
 }
 
-/** Names of pins and links: returns a function that moves them to a sample. */
-/** Latin names are slanted; hanzi have no slanted form. */
+/** The class of a slanted name: Latin names are slanted, hanzi have no slanted form. */
 const slanted = (name) => (/^[ -\u024f]*$/.test(name) ? "lw-slanted" : "");
 
+/** Names of pins and links: returns a function that moves them to a sample. */
 function labels(facts, view, r, parent) {
   const texts = facts.pins.map((pin) => {
     const direction = labelDirection(pin, facts);

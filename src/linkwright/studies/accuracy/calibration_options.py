@@ -250,7 +250,7 @@ def _warnings(made: Calibration) -> Iterator[Finding]:
         if len(one.names) == 1:
             yield note("accuracy.no-effect", name=one.names[0])
             continue
-        yield note("accuracy.scale-open" if one.scaling else "accuracy.not-told-apart", names=Joined(one.names))
+        yield note("accuracy.scale-open" if one.scaling else "accuracy.not-identifiable", names=Joined(one.names))
     if made.probability is not None and made.probability < UNLIKELY:
         ratio, share = made.chi_square / made.freedom, made.probability
         yield note("accuracy.poor-fit", ratio=f"{ratio:.3g}", share=f"{share:.2g}")

@@ -85,12 +85,12 @@ def _lengths(compiled: Compiled, entry: Clearance) -> Iterator[tuple[str, float 
 def _no_joint(compiled: Compiled, name: str, path: Path) -> Finding:
     signals = compiled.quantities.signals
     joints = [joint for joint, (kind, _) in compiled.structure.topology.joints.items() if kind.plays is not None]
-    if name not in signals.homes:
+    if name not in signals.links_of_points:
         return Finding("clearance.no-joint", path, {"name": name, "near": near(name, joints)})
     called = [pin.name for pin in signals.pins.values() if any(point == name for _, point in pin.members)]
     if called:
         return Finding("clearance.no-joint", path, {"name": name, "near": proposed(called)})
-    return Finding("clearance.one-link", path, {"name": name, "link": signals.homes[name]})
+    return Finding("clearance.one-link", path, {"name": name, "link": signals.links_of_points[name]})
 
 
 def _of_joint(

@@ -79,7 +79,7 @@ def copula(contributors: Contributors) -> Copula:
                 findings.append(Finding("accuracy.correlation-limit", PATH, data))
     mended = definite(scores)
     if (change := float(np.abs(mended - scores).max(initial=0.0))) > CLOSE:
-        findings.append(Finding("accuracy.correlation-mended", PATH, {"change": f"{change:.2g}"}, severity="warning"))
+        findings.append(Finding("accuracy.correlation-adjusted", PATH, {"change": f"{change:.2g}"}, severity="warning"))
     return Copula(who, cholesky(mended), findings)
 
 

@@ -160,7 +160,7 @@ def _demand(one: AllocatedTarget) -> list[Cell]:
 def _estimated(one: Estimate) -> list[Cell]:
     figures = (_number_cell(value, one.size) for value in (one.nominal, one.value, one.deviation))
     ends = Numbers([_number_cell(end, one.size) for end in one.interval or ()])
-    told = ends if one.identified else Said("accuracy.not-told")
+    told = ends if one.identified else Said("accuracy.parameter-not-identifiable")
     return [one.name, *figures, told, _number_cell(one.error, one.size), Unit(one.unit)]
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,8 +14,9 @@ from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, Text
 from linkwright.kernels import Compiled
 from linkwright.results import Result, Run
+from linkwright.results.dataset import Dataset, Variable, described, si_unit, times
 from linkwright.studies.accuracy.contributors import Contributors
-from linkwright.studies.figures import FigureColumn
+from linkwright.studies.figures import FigureColumn, per
 
 if TYPE_CHECKING:
     from linkwright.studies.accuracy.options import AccuracyOptions
@@ -144,6 +146,18 @@ class SignalDeviations:
     sampled: Array | None = None
     play: Array | None = None
 
+    @property
+    def rows(self) -> dict[str, Array]:
+        """What is known of it at each pose, by its name in tables."""
+        rows = {"nominal": self.nominal, "worst low": self.worst[0], "worst high": self.worst[1]}
+        rows |= {"mean": self.mean, "sigma": self.sigma}
+        if self.sampled is not None:
+            names = ("sampled mean", "sampled sigma", "sampled least", "sampled largest")
+            rows |= dict(zip(names, self.sampled, strict=False))
+        if self.play is not None:
+            rows |= {"play shift": self.play[0], "play bound": self.play[1]}
+        return rows
+
 
 @dataclass(frozen=True)
 class JointPlay:
@@ -199,6 +213,30 @@ class AccuracyOutcome:
             found[text] = curve.figure
             found |= {figure.name: figure for figure in curve.positions.values()}
         return found
+
+    @cached_property
+    def dataset(self) -> Dataset:
+        """The numbers for files. Over ``time``: of each signal the nominal value, deviations from it (worst case, mean
+        and standard deviation of RSS, those of the samples, shift and bound by clearances), and each coefficient. Over
+        ``contributor``, whose names are among the facts: coefficients (above the nominal value) and shares of all
+        outputs."""
+        every = self.contributors.every
+        made = [times(self.compiled.quantities, self.run.t)] if self.curves else []
+        for curve in self.curves.values():
+            si = si_unit(curve.dimension)
+            for name, values in curve.rows.items():
+                made.append(Variable(f"{curve.text} {name}", "time", values, curve.unit, curve.size, si))
+            if curve.sampled is not None:
+                made.append(Variable(f"{curve.text} count", "time", curve.sampled[-1].astype(np.int64)))
+            for one, values in zip(every, curve.coefficients, strict=True):
+                units = (per(curve.unit, one.unit), curve.size / one.size, per(si, si_unit(one.dimension)))
+                made.append(Variable(f"d({curve.text})/d({one.name})", "time", values, *units))
+        for name, figure in self.every.items() if every else ():
+            made.append(Variable(f"{name}: coefficients", "contributor", figure.coefficients[:, 1], si=None))
+            made.append(Variable(f"{name}: shares", "contributor", figure.shares))
+        facts = described(self.compiled, (*self.failures, *self.warnings))
+        facts |= {"contributors": "\n".join(one.name for one in every), "kernel": self.kernel or "none"}
+        return Dataset(made, facts)
 
     def settle(self) -> None:
         """Remove the files from which an interrupted study goes on: all that came out is written."""

@@ -8,13 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
-
-import numpy as np
+from typing import Any
 
 from linkwright.elements.cam_contact import cam_followers
 from linkwright.elements.cam_contact.contact import seat, sense
-from linkwright.elements.clearance import Axis, Known, Rows
+from linkwright.elements.clearance import AnyDirection, Axis, Known, Rows
 from linkwright.expressions.language import FUNCTIONS
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
@@ -32,7 +30,7 @@ def rollers(compiled: Compiled) -> dict[str, str]:
 
 
 @dataclass(frozen=True)
-class OnRoller:
+class OnRoller(AnyDirection):
     """The roller of a follower on its own pin, at the point ``joint``; ``links`` are the follower and the cam pair.
     ``forward`` is +1 where the cam's law runs with the sense of the carrier's angles, ``lift`` the follower's pivot, or
     the direction (link, x, y) in which it slides as it rises; ``side`` +1 where a pinned one lies left of the line from
@@ -44,9 +42,6 @@ class OnRoller:
     forward: int
     side: int
     lift: str | tuple[str, float, float]
-    kind: ClassVar[str] = "pin"
-    round: ClassVar[bool] = True
-    flank: ClassVar[int] = 0
 
     @property
     def plays(self) -> tuple[str, str]:
@@ -85,14 +80,6 @@ class OnRoller:
         # A roller that goes towards the follower lets this down on the cam, as a smaller one does.
         x, (across, up) = by[0], self.normal(rows)
         return [(-(x * across), -(x * up))]
-
-    def size(self, parts: Sequence[Any]) -> Any:
-        x, y = parts
-        return np.hypot(x, y)
-
-    def displacement(self, seats: list[tuple[Any, ...]]) -> tuple[Any, Any]:
-        ((x, y),) = seats
-        return x, y
 
 
 def on_roller(compiled: Compiled, cam: str, clearance: float) -> OnRoller:

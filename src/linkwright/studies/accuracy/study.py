@@ -18,7 +18,7 @@ from linkwright.studies.accuracy.clearance_figures import state_plays
 from linkwright.studies.accuracy.clearance_options import check_clearances
 from linkwright.studies.accuracy.deviations import Deviations, Shift
 from linkwright.studies.accuracy.figures import curves, figures
-from linkwright.studies.accuracy.files import contributors_csv, dataset
+from linkwright.studies.accuracy.files import contributors_csv
 from linkwright.studies.accuracy.inverse_problems import add_allocation, add_calibration, check_design
 from linkwright.studies.accuracy.law_checks import check_laws
 from linkwright.studies.accuracy.monte_carlo import check_monte_carlo, monte_carlo
@@ -47,8 +47,8 @@ class AccuracyStudy(Study):
     command = Command([Setting("samples", ("samples",), low=0), Setting("kernel", ("kernel",))], work=True, fresh=True)
     files = {
         "accuracy.csv": FileOf(contributors_csv),
-        "accuracy_bands.csv": FileOf(lambda outcome: dataset(outcome).csv("time")),
-        "accuracy.nc": FileOf(lambda outcome: dataset(outcome).netcdf(), "netcdf", asked=True),
+        "accuracy_bands.csv": FileOf(lambda outcome: outcome.dataset.csv("time")),
+        "accuracy.nc": FileOf(lambda outcome: outcome.dataset.netcdf(), "netcdf", asked=True),
     }
 
     def check(self, compiled: Compiled, options: AccuracyOptions) -> list[Finding]:

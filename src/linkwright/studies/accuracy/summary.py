@@ -22,6 +22,7 @@ from linkwright.studies.accuracy.outcome import (
     SearchedWorstCase,
     SignalDeviations,
 )
+from linkwright.studies.figures import per
 
 Array = NDArray[np.float64]
 
@@ -34,12 +35,6 @@ def accuracy_entry(outcome: AccuracyOutcome) -> dict[str, Any]:
     outputs = {name: _output(figure, outcome) for name, figure in outcome.figures.items()}
     outputs |= {text: _curve(curve, outcome) for text, curve in outcome.curves.items()}
     return {"accuracy": outputs, "accuracy_study": study_entry(outcome)}
-
-
-def per(unit: str, other: str) -> str:
-    """The unit of one quantity over another."""
-    below = f"({other})" if "/" in other or "*" in other else other
-    return f"{unit or 1}/{below}" if other else unit
 
 
 def ranked(figure: OutputDeviations) -> list[int]:

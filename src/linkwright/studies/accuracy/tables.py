@@ -11,7 +11,8 @@ from linkwright.presentation.blocks import Table, table
 from linkwright.presentation.cells import UNKNOWN, Cell, NumberCell, Numbers, percent
 from linkwright.studies.accuracy.design_report import design_tables
 from linkwright.studies.accuracy.outcome import AccuracyOutcome, MonteCarlo, OutputDeviations
-from linkwright.studies.accuracy.summary import WIDE, part, per, ranked, study_entry
+from linkwright.studies.accuracy.summary import WIDE, part, ranked, study_entry
+from linkwright.studies.figures import per
 
 FIRST = 3
 """So many contributors are named beside an output."""

@@ -23,8 +23,6 @@ from linkwright.studies.cam.plate import Plate
 Array = NDArray[np.float64]
 
 RATES = ("lift", "velocity", "acceleration", "jerk")
-CLIPPED = 20.0
-"""Curves are shown up to so many times the size of their median."""
 
 
 def charts(outcome: CamOutcome) -> list[Chart]:

@@ -119,7 +119,7 @@ def untracked_angles(run: Run) -> list[Finding]:
 
 def not_periodic(run: Run) -> list[Finding]:
     """A warning where a motion said to be periodic doesn't come back to where it began."""
-    points = list(run.compiled.quantities.signals.homes)
+    points = list(run.compiled.quantities.signals.links_of_points)
     names = [f"{point}.{axis}" for point in points for axis in "xy"]
     ends = run.evaluate(names, np.array([run.start, run.stop]))
     away = np.hypot(*(ends[:, 1] - ends[:, 0]).reshape(-1, 2).T)

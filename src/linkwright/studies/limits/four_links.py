@@ -76,7 +76,7 @@ def _classified(compiled: Compiled) -> Iterator[FourLinks]:
         if all(loop.turning):
             found = _four_bar(compiled, geometry, loop)
         elif loop.turning.count(False) == 1:
-            found = _slider_crank(compiled, geometry, loop.turned((loop.turning.index(False) + 1) % 4))
+            found = _slider_crank(compiled, geometry, loop.rotated((loop.turning.index(False) + 1) % 4))
         else:
             continue
         if min(found.lengths[: 2 if found.family == "slider-crank" else 4]) > EQUAL * sum(found.lengths):

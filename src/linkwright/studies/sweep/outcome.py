@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
@@ -10,16 +11,19 @@ from numpy.typing import NDArray
 
 from linkwright.blocks.work import Arrays
 from linkwright.expressions.language import parse
-from linkwright.expressions.units import Dimension
+from linkwright.expressions.units import TIME, Dimension
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.results import Result, Run
+from linkwright.results.dataset import Dataset, Variable, described, times, variable_of
 from linkwright.studies.figures import FigureColumn
 from linkwright.studies.plans import Plan
 from linkwright.studies.shares import Share
 from linkwright.studies.sweep.options import SweepOptions
 
 Array = NDArray[np.float64]
+
+BANDS = ("mean", "deviation", "least", "largest")
 
 
 @dataclass(frozen=True)
@@ -137,6 +141,32 @@ class SweepOutcome:
         there = {"sweep.csv": self.table is not None, "sweep_bands.csv": bool(self.bands), "sweep.zarr": self.store}
         return [name for name, here in there.items() if here]
 
+    @cached_property
+    def dataset(self) -> Dataset:
+        """The numbers for files. Over ``sample``, where rows are kept: its number, the varied parameters, the measures'
+        figures, whether each requirement is met, whether the sample lacks a value and since when. Over ``time``: of
+        each signal mean, deviation, least and largest value and how many samples have one."""
+        quantities, table = self.compiled.quantities, self.table
+        made: list[Variable] = []
+        if table is not None:
+            made.append(Variable("sample", "sample", np.arange(self.samples)))
+            for name, values in zip(self.names, table.parameters, strict=True):
+                made.append(variable_of(quantities, name, "sample", values, quantities.dimensions.of(name)))
+            for measure, values in zip(self.measures, table.figures, strict=True):
+                made.append(measure.column.variable(values))
+            made += [Variable(f"{name} met", "sample", met) for name, met in zip(self.shares, table.met, strict=True)]
+            made.append(Variable("failed", "sample", table.failed))
+            made.append(variable_of(quantities, "since", "sample", table.since, TIME))
+        if self.bands:
+            made.append(times(quantities, self.t))
+        for text, band in self.bands.items():
+            for kind in BANDS:
+                made.append(variable_of(quantities, f"{text} {kind}", "time", getattr(band, kind), band.dimension))
+            made.append(Variable(f"{text} count", "time", band.count))
+        facts = described(self.compiled, (*self.failures, *self.warnings))
+        facts |= {"plan": self.plan.name, "seed": str(self.options.seed), "kernel": self.kernel}
+        return Dataset(made, facts)
+
     @property
     def done(self) -> bool:
         """Whether a sample has values. A requirement that some samples miss is a result, no failure."""
@@ -145,7 +175,7 @@ class SweepOutcome:
 
 def bands(texts: list[str], compiled: Compiled, moments: Arrays) -> dict[str, Band]:
     """The bands of signals from their moments (signals, poses)."""
-    keys = ("mean", "deviation", "least", "largest", "count", "least_at", "largest_at")
+    keys = (*BANDS, "count", "least_at", "largest_at")
     quantities = compiled.quantities
     return {
         text: Band(text, quantities.dimensions.dimension(parse(text)), *(moments[key][i] for key in keys))

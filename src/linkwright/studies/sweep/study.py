@@ -24,7 +24,6 @@ from linkwright.studies.sampling import Performed, chosen, perform, refused
 from linkwright.studies.sampling_state import store
 from linkwright.studies.sampling_task import FINE
 from linkwright.studies.shares import Share, wilson
-from linkwright.studies.sweep.files import dataset
 from linkwright.studies.sweep.options import SAMPLES, SweepOptions, check
 from linkwright.studies.sweep.outcome import SampleTable, Statistics, SweepOutcome, bands
 from linkwright.studies.sweep.report import report
@@ -40,9 +39,9 @@ class SweepStudy(Study):
     rank = 3
     command = Command([Setting("kernel", ("kernel",))], work=True, fresh=True)
     files = {
-        "sweep.csv": FileOf(lambda outcome: dataset(outcome).csv("sample")),
-        "sweep_bands.csv": FileOf(lambda outcome: dataset(outcome).csv("time")),
-        "sweep.nc": FileOf(lambda outcome: dataset(outcome).netcdf(), "netcdf", asked=True),
+        "sweep.csv": FileOf(lambda outcome: outcome.dataset.csv("sample")),
+        "sweep_bands.csv": FileOf(lambda outcome: outcome.dataset.csv("time")),
+        "sweep.nc": FileOf(lambda outcome: outcome.dataset.netcdf(), "netcdf", asked=True),
     }
 
     def check(self, compiled: Compiled, options: SweepOptions) -> list[Finding]:

@@ -137,9 +137,9 @@ def check(compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
 
 
 def _point(compiled: Compiled, point: str) -> Iterator[Finding]:
-    homes, frame = compiled.quantities.signals.homes, compiled.mechanism.links[FRAME].points
+    links_of_points, frame = compiled.quantities.signals.links_of_points, compiled.mechanism.links[FRAME].points
     if point in frame:
-        moving = [name for name in homes if name not in frame]
+        moving = [name for name in links_of_points if name not in frame]
         yield Finding("workspace.fixed-point", (*PATH, "point"), {"name": point, "near": near(point, moving)})
 
 

@@ -13,7 +13,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.enclosures.angles import Polynomials, Stretches, numbered, stretches, turned
+from linkwright.enclosures.angles import Polynomials, Stretches, cosine_and_sine, numbered, stretches
 from linkwright.enclosures.forms import TINY, UNIT, AffineForm, joined_forms
 from linkwright.enclosures.newton import inverted, solved
 from linkwright.enclosures.program import BOXES, Stage
@@ -133,7 +133,7 @@ class OnePlatform:
 
         def posed(off: list[AffineForm]) -> list[AffineForm]:
             return [
-                *turned(pose[0], off[0]),
+                *cosine_and_sine(pose[0], off[0]),
                 *(AffineForm(row) + more for row, more in zip(pose[1:], off[1:], strict=True)),
             ]
 
@@ -148,10 +148,12 @@ class OnePlatform:
         stretch, part = np.repeat(np.arange(told.of.size), count), numbered(count)
         half = (told.half / count)[stretch]
         phi = told.middle[stretch] + half * (2 * part + 1 - count[stretch])
-        rooms = self._over("rooms", x, told.of[stretch], *turned(phi, AffineForm(np.zeros(phi.size), rest=half)))
+        rooms = self._over(
+            "rooms", x, told.of[stretch], *cosine_and_sine(phi, AffineForm(np.zeros(phi.size), rest=half))
+        )
         some = np.all([np.ones(phi.size, dtype=bool), *(one.bounds[1] >= 0 for one in rooms)], axis=0)
         stretch, phi, half = stretch[some], phi[some], half[some]
-        of, axis = told.of[stretch], turned(phi, AffineForm(np.zeros(phi.size), rest=half))
+        of, axis = told.of[stretch], cosine_and_sine(phi, AffineForm(np.zeros(phi.size), rest=half))
         # By Cramer's rule: without bound where both places may be poses.
         only = self._over("place", x, of, *axis)
         legs, starts = self._meetings(_middles(x)[:, of], phi)

@@ -26,7 +26,7 @@ TEXTS: dict[str, str] = {
     "accuracy.confounded.scaling": "{names} aren't identifiable separately: these outputs don't change when all are scaled.",
     "accuracy.outlier": "Row {row}, {name}: residual {rest}, too large for a random error.",
     "accuracy.fixed": "fixed",
-    "accuracy.not-told": "not identifiable",
+    "accuracy.parameter-not-identifiable": "not identifiable",
     "accuracy.widest": "maximum",
     "accuracy.samples": "samples",
     "accuracy.copy": "Copy for spreadsheet",

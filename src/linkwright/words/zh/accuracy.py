@@ -26,7 +26,7 @@ TEXTS: dict[str, str] = {
     "accuracy.confounded.scaling": "{names} 不能分别辨识：它们按同一比例缩放时，这些输出不变。",
     "accuracy.outlier": "第 {row} 行，{name}：残差 {rest} 过大，不属于随机误差。",
     "accuracy.fixed": "固定",
-    "accuracy.not-told": "不可辨识",
+    "accuracy.parameter-not-identifiable": "不可辨识",
     "accuracy.widest": "最大处",
     "accuracy.samples": "样本数",
     "accuracy.copy": "复制到电子表格",

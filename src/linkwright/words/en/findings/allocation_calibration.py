@@ -104,7 +104,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "proportion.",
         "Measure a length too, or remove one of them from parameters; only their ratios are estimated.",
     ),
-    "accuracy.not-told-apart": (
+    "accuracy.not-identifiable": (
         "{names} aren't identifiable separately: their deviations can cancel each other in every measured output.",
         "Measure another output or at other positions, or remove one of them from parameters.",
     ),

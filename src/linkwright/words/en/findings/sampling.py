@@ -56,7 +56,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "for these is {limit}.",
         "Give a smaller correlation, or the same distribution for both.",
     ),
-    "accuracy.correlation-mended": (
+    "accuracy.correlation-adjusted": (
         "These distributions can't have all the given correlations at the same time; the samples use the nearest "
         "ones that are possible (the correlations of their normal scores change by {change} at most).",
         "Give smaller correlations, or normal distributions.",

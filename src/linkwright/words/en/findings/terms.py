@@ -168,8 +168,8 @@ TERMS: dict[str, str] = {
     # Why links can't be assembled, and how long they would have to be.
     "gap-wide": "{by} {unit} more than the links can span ({limit} {unit})",
     "gap-narrow": "{by} {unit} less than the links can span ({limit} {unit})",
-    "lengths-longer": "Make the links longer by at least {by} {unit}",
-    "lengths-equal": "Make the difference between the links' lengths at least {by} {unit} smaller",
+    "lengths-longer": "Lengthen the links by at least {by} {unit}",
+    "lengths-equal": "Reduce the difference between the links' lengths by at least {by} {unit}",
     # Why a clearance has no effect to state.
     "play-no-position": "it contains velocities, accelerations or forces, on which the effect of clearances isn't known",
     "play-reduction": "it evaluates many positions at once, or rates of change",

@@ -101,7 +101,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "由测量数据不能辨识机构的尺寸比例：{names} 可以同时按同一比例增大或减小。",
         "再测量一个长度，或从 parameters 中删除其中之一；此时只能估计它们的比值。",
     ),
-    "accuracy.not-told-apart": (
+    "accuracy.not-identifiable": (
         "{names} 不能分别辨识：它们的偏差在所有测量的输出中可以相互抵消。",
         "测量其他输出或在其他位置测量，或从 parameters 中删除其中之一。",
     ),

@@ -51,7 +51,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "{names} 的偏差的相关系数不可能为 {stated}：二者的分布不同，其极限为 {limit}。",
         "减小相关系数，或使二者的分布相同。",
     ),
-    "accuracy.correlation-mended": (
+    "accuracy.correlation-adjusted": (
         "在这些分布下，所给的相关系数不能同时成立；样本采用与之最接近的可行值（正态得分的相关系数最多改变 {change}）。",
         "减小相关系数，或采用正态分布。",
     ),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-WIDE = {code: chr(code - 0xFEE0) for code in range(0xFF01, 0xFF5F)} | {
+TO_ASCII = {code: chr(code - 0xFEE0) for code in range(0xFF01, 0xFF5F)} | {
     **dict.fromkeys((0x3001, 0xFF64), ","), **dict.fromkeys((0x3002, 0xFF61), "."),
     **dict.fromkeys((0x2236, 0xFE55, 0xFE30), ":"),
     **dict.fromkeys((0x3010, 0x3014), "["), **dict.fromkeys((0x3011, 0x3015), "]"),
@@ -11,5 +11,5 @@ WIDE = {code: chr(code - 0xFEE0) for code in range(0xFF01, 0xFF5F)} | {
     **dict.fromkeys((0x3000, 0xA0, *range(0x2000, 0x200B), 0x202F), " "), **dict.fromkeys((0x200B, 0xFEFF), ""),
 }  # fmt: skip
 """Full-width punctuation, digits and letters, quotes, dashes, blanks."""
-BLANKS = "".join(chr(code) for code, meant in WIDE.items() if not meant.strip())
+BLANKS = "".join(chr(code) for code, meant in TO_ASCII.items() if not meant.strip())
 """The blanks among them, which look like spaces."""
