@@ -73,7 +73,6 @@ def stationary(
     row's count of brackets has stayed the same twice; rows that only vary by round-off have none. With ``alone`` each
     row has the grid that it would have by itself.
     """
-
     found = _settled(_turning_brackets(rates, scales), start, stop, steps, alone)
     return roots(lambda at: rates(at)[1], [brackets for brackets, _ in found])
 

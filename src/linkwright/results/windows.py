@@ -77,8 +77,7 @@ def passing(run: Run, node: Node, spans: list[Interval], turning: bool) -> Array
     from it."""
 
     def value(t: Array) -> Array:
-        found = np.asarray(run.jets(node, t).d[0])
-        return np.sin(found / 2) if turning else found
+        return passed(np.asarray(run.jets(node, t).d[0]), 0.0, turning)
 
     ends = np.array([edge for span in spans for edge in span])
     size = float(np.abs(value(np.linspace(run.start, run.stop, 65))).max(initial=0.0))

@@ -105,7 +105,7 @@ def refused(nominal: Run, options: Sampling, names: Iterable[str]) -> list[Findi
     return found or locked(nominal)
 
 
-def chosen(nominal: Run, options: Sampling, more: Sequence[BoundMeasure] = ()) -> KernelChoice:
+def choose_kernel(nominal: Run, options: Sampling, more: Sequence[BoundMeasure] = ()) -> KernelChoice:
     """The kernel that computes it with ``more`` measures, and why. That doesn't depend on the runner, which may change
     no figure."""
     samples = sampled_study(options).draws(nominal.compiled, options).samples

@@ -23,7 +23,7 @@ from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.outcome import MonteCarlo
 from linkwright.studies.plans import PLANS
 from linkwright.studies.run_context import RunContext
-from linkwright.studies.sampling import Performed, chosen, perform
+from linkwright.studies.sampling import Performed, choose_kernel, perform
 from linkwright.studies.sampling_output import MARKS
 from linkwright.studies.shares import wilson
 
@@ -64,7 +64,7 @@ def monte_carlo(
 
     Raises :class:`Interrupted`, and :class:`ModelError` where it can't be carried on.
     """
-    choice = chosen(nominal, options, more)
+    choice = choose_kernel(nominal, options, more)
     done = perform(nominal, options, choice.kernel, site, more)
     found = SampleStatistics(options.samples, done.failed, choice, state=tuple(done.kept.files), seconds=done.seconds)
     if done.task.figures.columns:

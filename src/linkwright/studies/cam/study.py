@@ -67,14 +67,14 @@ class CamStudy(Study):
 
     def check(self, compiled: Compiled, options: CamOptions) -> list[Finding]:
         """What is wrong with the options."""
-        name, findings = chosen(compiled, options)
+        name, findings = selected_cam(compiled, options)
         if name is None:
             return findings
         return _read(compiled, options, name)[1]
 
     def run(self, compiled: Compiled, options: CamOptions, site: RunContext = NOWHERE) -> CamOutcome:
         """All that is asked of the cam; nothing is made of a disc that is undercut."""
-        name, _ = chosen(compiled, options)
+        name, _ = selected_cam(compiled, options)
         assert name is not None
         outcome = _initial_outcome(compiled, options, name)
         stated = outcome.stated
@@ -170,7 +170,7 @@ def _rough(outcome: CamOutcome) -> Iterator[Finding]:
             yield Finding("cam.rough", ("cams", outcome.name, "law"), data)
 
 
-def chosen(compiled: Compiled, options: CamOptions) -> tuple[str | None, list[Finding]]:
+def selected_cam(compiled: Compiled, options: CamOptions) -> tuple[str | None, list[Finding]]:
     """The cam that is looked at, or what is wrong."""
     cams = compiled.mechanism.cams
     if options.cam is not None:

@@ -24,6 +24,7 @@ from linkwright.studies.sweep.options import SweepOptions
 Array = NDArray[np.float64]
 
 BANDS = ("mean", "deviation", "least", "largest")
+"""The values of a band in files, by their attributes."""
 
 
 @dataclass(frozen=True)

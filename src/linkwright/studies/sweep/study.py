@@ -20,7 +20,7 @@ from linkwright.studies.cycle.options import span
 from linkwright.studies.plans import Plan
 from linkwright.studies.registry import Command, Setting, Study, register
 from linkwright.studies.run_context import RunContext
-from linkwright.studies.sampling import Performed, chosen, perform, refused
+from linkwright.studies.sampling import Performed, choose_kernel, perform, refused
 from linkwright.studies.sampling_state import store
 from linkwright.studies.sampling_task import FINE
 from linkwright.studies.shares import Share, wilson
@@ -62,7 +62,7 @@ class SweepStudy(Study):
         Raises :class:`Interrupted`, and :class:`ModelError` where it can't be carried on.
         """
         nominal = Run(compiled, 0.0, span(compiled, options.cycle)[0], options.steps)
-        choice = chosen(nominal, options)
+        choice = choose_kernel(nominal, options)
         if found := refused(nominal, options, options.vary):
             plan = self.draws(compiled, options)
             return SweepOutcome(compiled, options, plan, nominal, choice.kernel, choice.reason, failures=found)

@@ -104,7 +104,7 @@ def _causes(options: ErrorsOptions, compiled: Compiled, workspace: Workspace) ->
     if workspace.regions:
         compiled = at_values(compiled, workspace.regions[0].region.sheet.parameters)
         raise_errors([*check_clearances(compiled, stated.clearances, CLEARANCES)])
-    return chosen(causes(compiled, stated), options.contributors)
+    return selected_causes(causes(compiled, stated), options.contributors)
 
 
 def at_values(compiled: Compiled, parameters: Array) -> Compiled:
@@ -115,7 +115,7 @@ def at_values(compiled: Compiled, parameters: Array) -> Compiled:
     return other
 
 
-def chosen(every: Causes, names: Sequence[str] | None) -> Causes:
+def selected_causes(every: Causes, names: Sequence[str] | None) -> Causes:
     """Some of them by name, with the correlations between contributors."""
     if names is None:
         return every
