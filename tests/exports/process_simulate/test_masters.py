@@ -229,7 +229,7 @@ def test_the_sheet_shows_the_link_that_the_master_moves() -> None:
         lw.export(lw.load(EXAMPLES / "bonnet_hinge.yaml"), "process-simulate", **options).files["joint_functions.html"]
         for options in ({}, {"master": "j5", "stops": [-90, 0]})
     )
-    assert "Dashed: j2 at −70.000 deg." in own
-    assert "Dashed: j5 at −90.000 deg." in other
+    assert "Dashed: j2 at −70.000\u00a0deg." in own
+    assert "Dashed: j5 at −90.000\u00a0deg." in other
     bodies = [re.findall(r'class="link here( driven)?"', page) for page in (own, other)]
     assert [body.index(" driven") for body in bodies] == [2, 0]  # of front strut, panel, rear strut
