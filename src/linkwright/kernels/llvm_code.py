@@ -67,11 +67,11 @@ class LlvmCode:
     def load(self, base: str, row: int) -> str:
         """A vector of a row: ``row`` vectors from the pointer ``base`` on."""
         place = self.name(f"getelementptr {self.t}, {self.pt} {base}, i64 {row}")
-        return self.name(f"load {self.t}, {self.pt} {place}, align {8 * self.width}")
+        return self.name(f"load {self.t}, {self.pt} {place}, align {min(8 * self.width, 64)}")
 
     def store(self, value: str, base: str, row: int) -> None:
         place = self.name(f"getelementptr {self.t}, {self.pt} {base}, i64 {row}")
-        self.lines.append(f"store {self.t} {value}, {self.pt} {place}, align {8 * self.width}")
+        self.lines.append(f"store {self.t} {value}, {self.pt} {place}, align {min(8 * self.width, 64)}")
 
     def spread(self, base: str, place: int) -> str:
         """A number of an array in all lanes."""

@@ -12,6 +12,7 @@ stored where it is known; instructions and registers are all that is left to cho
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from linkwright.graph.program import ACCEPTED, MOST_STEPS, SOLVED, NewtonStage, Program
 from linkwright.kernels.division import FORMS, ORDER, OWN, SCALAR, SHARED, Division, Rows
@@ -60,7 +61,10 @@ class KernelSource:
 
     @classmethod
     def fitting(cls, program: Program, form: str, machine: Machine) -> KernelSource:
-        """The text with as many lanes as a core's first cache has room for."""
+        """The text with as many lanes as a core's first cache has room for. A short program takes two vectors at once:
+        one's operations are done while the other's wait for theirs; in a long one other operations are at hand."""
+        if program.size <= LONGEST:
+            machine = replace(machine, width=2 * machine.width)
         for lanes in LANES:
             source = cls(program, form, machine, lanes)
             if source.rows.count * lanes <= CACHED:
