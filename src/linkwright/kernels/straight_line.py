@@ -11,7 +11,6 @@ import ast
 import inspect
 import math
 from collections.abc import Callable, Mapping, Sequence
-from functools import cache
 from typing import Protocol
 
 from linkwright.graph.program import NewtonStage
@@ -170,7 +169,7 @@ class _Body:
 
     def __init__(self, code: Code, name: str, operands: Sequence[str]) -> None:
         self.code = code
-        function = _functions()[name]
+        function = _FUNCTIONS[name]
         self.names: dict[str, str] = dict(zip((a.arg for a in function.args.args), operands, strict=True))
         self.results: tuple[str, ...] = ()
         for line in function.body:
@@ -236,9 +235,7 @@ _OPERATORS: dict[type, str] = {
 }  # fmt: skip
 
 
-@cache
-def _functions() -> dict[str, ast.FunctionDef]:
-    """The elementary functions and their parts, by name."""
-    return {
-        node.name: node for node in ast.parse(inspect.getsource(elementary)).body if isinstance(node, ast.FunctionDef)
-    }
+_FUNCTIONS: dict[str, ast.FunctionDef] = {
+    node.name: node for node in ast.parse(inspect.getsource(elementary)).body if isinstance(node, ast.FunctionDef)
+}
+"""The elementary functions and their parts, by name; read here, as Python 3.11 can't in several threads at once."""
