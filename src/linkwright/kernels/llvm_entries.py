@@ -30,9 +30,11 @@ def _run(source: KernelSource) -> str:
     code, shared = source.machine.code(), source.form[X] == SHARED
     pd, starts = code.pd, len(source.x_rows)
     rows, out = len(source.program.outputs), source.out * source.lanes
+    row = {"pt": code.pt, "t": code.t, "width": code.width, "lanes": source.lanes}
     copies = _COPIES.format(
-        pd=pd, pt=code.pt, t=code.t, width=code.width, lanes=source.lanes, stored=STORED, line=f"<{STORED} x double>",
-        pl=pd if pd == "ptr" else f"<{STORED} x double>*",
+        **row, pd=pd, stored=STORED, line=f"<{STORED} x double>", pl=pd if pd == "ptr" else f"<{STORED} x double>*",
+        vectors_after_whole=_VECTORS.format(**row, before="whole"),
+        vectors_after_near=_VECTORS.format(**row, before="near"),
     )  # fmt: skip
     return copies + (_OVER if shared else _APART).format(
         pd=pd, lanes=source.lanes, room=source.scalars.count,
@@ -108,6 +110,17 @@ def _pose(source: KernelSource) -> str:
     )
 
 
+_VECTORS = """vector:
+%v = phi i64 [0, %{before}], [%v1, %vector]
+%vf = getelementptr {t}, {pt} %fv, i64 %v
+%vt = getelementptr {t}, {pt} %tv, i64 %v
+%vx = load {t}, {pt} %vf, align 8
+store {t} %vx, {pt} %vt, align 8
+%v1 = add i64 %v, 1
+%v2 = mul i64 %v1, {width}
+%vm = icmp ult i64 %v2, {lanes}
+br i1 %vm, label %vector, label %done"""
+"""The lines that copy a whole row of a block, vector by vector."""
 _COPIES = """define internal void @load({pd} noalias %to, {pd} noalias readonly %from, i64 %m) {{
 entry:
 %full = icmp eq i64 %m, {lanes}
@@ -116,16 +129,7 @@ whole:
 %tv = bitcast {pd} %to to {pt}
 %fv = bitcast {pd} %from to {pt}
 br label %vector
-vector:
-%v = phi i64 [0, %whole], [%v1, %vector]
-%vf = getelementptr {t}, {pt} %fv, i64 %v
-%vt = getelementptr {t}, {pt} %tv, i64 %v
-%vx = load {t}, {pt} %vf, align 8
-store {t} %vx, {pt} %vt, align 8
-%v1 = add i64 %v, 1
-%v2 = mul i64 %v1, {width}
-%vm = icmp ult i64 %v2, {lanes}
-br i1 %vm, label %vector, label %done
+{vectors_after_whole}
 part:
 %i = phi i64 [0, %entry], [%i1, %part]
 %in = icmp ult i64 %i, %m
@@ -162,16 +166,7 @@ store {line} %lx, {pl} %lt, align 64, !nontemporal !0
 br i1 %lm, label %line, label %done
 near:
 br i1 %full, label %vector, label %part
-vector:
-%v = phi i64 [0, %near], [%v1, %vector]
-%vf = getelementptr {t}, {pt} %fv, i64 %v
-%vt = getelementptr {t}, {pt} %tv, i64 %v
-%vx = load {t}, {pt} %vf, align 8
-store {t} %vx, {pt} %vt, align 8
-%v1 = add i64 %v, 1
-%v2 = mul i64 %v1, {width}
-%vm = icmp ult i64 %v2, {lanes}
-br i1 %vm, label %vector, label %done
+{vectors_after_near}
 part:
 %i = phi i64 [0, %near], [%i1, %part]
 %f = getelementptr double, {pd} %from, i64 %i
