@@ -17,10 +17,11 @@ from numpy.typing import NDArray
 from linkwright.expressions.language import Call, Name, Node, nodes
 from linkwright.graph.rows import Determinant, ReachRow, Row, spans
 from linkwright.measures.features import Feature, Find, ZeroKind, features
-from linkwright.measures.search import STILL, Rates, RunPieces, turning, zeros
+from linkwright.measures.search import Rates, RunPieces, turning, zeros
 from linkwright.results import Run
 from linkwright.results.discontinuities import ASIDE, argument_of, knots, law_joins, positions
 from linkwright.results.discontinuities import zeros as zeros_of
+from linkwright.results.stationary import STILL
 
 Array = NDArray[np.float64]
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.results.stationary import Rows, roots
+from linkwright.results.stationary import STILL, Rows, roots
 
 Array = NDArray[np.float64]
 Rates = Callable[[Array], tuple[Array, Array]]
@@ -22,8 +22,6 @@ Rates = Callable[[Array], tuple[Array, Array]]
 FIRST_STEPS, MAX_STEPS = 1 << 8, 1 << 15
 FINEST = 1 << 18
 """The finest grid of runs that need a fine one from the start."""
-STILL = 1e-11
-"""A row whose rates let it vary by less than this share of its size only varies by round-off."""
 GAIN = 1e-15
 """A rate counts where over the width around it it makes more than this share of the value there ..."""
 USUAL = 0.9
