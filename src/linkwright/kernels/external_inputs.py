@@ -5,17 +5,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from itertools import groupby
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.fields import Expression
+from linkwright.expressions.units import Dimension
 from linkwright.graph.graph import Graph
 from linkwright.graph.rows import RawAngle, TableArgument
 from linkwright.kernels.followers import FollowerLaw
 from linkwright.kernels.law import DriveLaw, Parameters
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.kernels.tables import StatedTable
-from linkwright.model.quantities import Quantities
 from linkwright.notation import Jet, angles
 from linkwright.notation.angles import MAX_TURN, whole_turns
 
@@ -45,13 +47,13 @@ class Supply:
             program = graph.program([TableArgument(i) for i in which], rates=True)
             self.levels.append((which, KERNELS[kernel](program)))
 
-    def start_angle(self, name: str, quantities: Quantities | None = None) -> float | None:
-        """The angle (rad) near which that of an acting element starts; the nominal one, or that of other quantities."""
+    def start_angle(self, name: str, value: Callable[[Expression, Dimension], Any] | None = None) -> Any:
+        """The angle (rad) near which that of an acting element starts, ``None`` of a link or drive; the nominal one, or
+        by what gives other values (SI) of expressions."""
         if name not in self.graph.actions.counted_angles:
             return None
-        one, value = self.graph.actions.counted_angles[name][0], (quantities or self.graph.quantities).value
-        found: float = one.kind.start_angle(one.entry, value, lambda table: float(self.tables[table].x[[0, -1]].mean()))
-        return found
+        one, value = self.graph.actions.counted_angles[name][0], value or self.graph.quantities.value
+        return one.kind.start_angle(one.entry, value, lambda table: float(self.tables[table].x[[0, -1]].mean()))
 
     def fill(self, x: Array, t: Array, p: Array, at: Callable[[Array], Array]) -> None:
         """Put the rows for times ``t`` into ``x`` (inputs, poses); ``at`` gives the inputs of the motion."""

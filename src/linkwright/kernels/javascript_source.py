@@ -7,7 +7,7 @@ what a model calls them is no part of the text, and goes beside it as data (:fun
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from linkwright.graph.program import ACCEPTED, MOST_STEPS, SOLVED, Program
 from linkwright.kernels.javascript_code import BITS, MATH, SUPPORT, function
@@ -20,7 +20,12 @@ LONGEST = 400
 
 def javascript(program: Program) -> str:
     """The text of a program."""
-    return "".join(_parts(PoseFunctions(program, LONGEST)))
+    return f"{javascript_array([program])}[0]"
+
+
+def javascript_array(programs: Iterable[Program]) -> str:
+    """The text of an array of programs; what elementary functions they share stands there once."""
+    return "".join(_parts([PoseFunctions(program, LONGEST) for program in programs]))
 
 
 def labels(program: Program) -> dict[str, list[str]]:
@@ -28,17 +33,21 @@ def labels(program: Program) -> dict[str, list[str]]:
     return {key: list(getattr(program, key)) for key in ("inputs", "parameters", "outputs")}
 
 
-def _parts(made: PoseFunctions) -> Iterator[str]:
+def _parts(every: Sequence[PoseFunctions]) -> Iterator[str]:
     yield "(()=>{" + MATH
-    bits = {node.word for code in made.library.values() for node in code.nodes} & {*BITS}
+    library = {name: code for made in every for name, code in made.library.items()}
+    bits = {node.word for code in library.values() for node in code.nodes} & {*BITS}
     for name in ("", *BITS) if bits else ():
         if not name or name in bits:
             yield SUPPORT[name]
-    called = {name: f"F{k}" for k, name in enumerate(made.library)}
-    yield from (
-        function(code, called[name], "x,y"[: 2 * _operands(code) - 1], {}) for name, code in made.library.items()
-    )
-    yield f"const c=new Float64Array({made.scalars}),w=new Float64Array({made.rows});"
+    called = {name: f"F{k}" for k, name in enumerate(library)}
+    yield from (function(code, called[name], "x,y"[: 2 * _operands(code) - 1], {}) for name, code in library.items())
+    yield f"return[{','.join(''.join(_program(made, called)) for made in every)}]}})()"
+
+
+def _program(made: PoseFunctions, called: Mapping[str, str]) -> Iterator[str]:
+    """A program, within the functions that it calls."""
+    yield f"(()=>{{const c=new Float64Array({made.scalars}),w=new Float64Array({made.rows});"
     once = [f"C{k}" for k in range(len(made.once))]
     yield from (function(code, name, "p", called) for name, code in zip(once, made.once, strict=True))
     each: list[str] = []

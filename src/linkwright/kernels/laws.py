@@ -122,7 +122,7 @@ class _LawReader:
         tables, motions = self.tables, self.motions
 
         def law(t: Array, parameters: Parameters, strict: bool) -> Jet:
-            time = Jet([t, np.ones_like(t), *[np.zeros_like(t)] * (ORDER - 1)])
+            time = Jet([t, 1.0 + 0.0 * t, *[0.0 * t] * (ORDER - 1)])
 
             def name_value(name: Name) -> Any:
                 return time if name.text == "t" else parameters[name.text]
@@ -181,7 +181,7 @@ class _LawReader:
 
 def uniform(t: Array, start: Any, speed: Any, acceleration: Any = 0.0) -> Jet:
     """A value that changes with constant acceleration; value and speed are those at t = 0."""
-    zero = np.zeros_like(t)
+    zero = 0.0 * t
     value = start + speed * t + acceleration / 2 * t**2
     return Jet([value, speed + acceleration * t, zero + acceleration, *[zero] * (ORDER - 2)])
 

@@ -243,7 +243,8 @@ class Varied:
             x[supply.rows["t"]] = t
         motion = frozenset(range(supply.first))
         for name, turns in supply.turns.items():
-            start_angle = supply.start_angle(name, Sampled(quantities, dict(zip(self.row, p, strict=True)), p.shape[1]))
+            sampled = Sampled(quantities, dict(zip(self.row, p, strict=True)), p.shape[1])
+            start_angle = supply.start_angle(name, sampled.value)
             x[supply.rows[f"turns/{name}"]] = turns_of(
                 turns.kernel, start_angle, x, t, p, lambda p, t: self.inputs(p, t, motion, kernel)
             )

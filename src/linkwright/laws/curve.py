@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -16,6 +16,7 @@ from linkwright.laws.pieces import Piece, SmoothPart
 from linkwright.laws.stacked import Stack
 from linkwright.notation import Jet, Scalar
 from linkwright.notation.duals import Dual, slope_of, value_of
+from linkwright.notation.jets import call, symbolic
 
 Array = NDArray[np.float64]
 
@@ -86,8 +87,11 @@ class Curve:
     def at(self, x: Any, order: int = 0) -> Any:
         """A derivative by the argument, at places within the curve; at a join that of the piece behind it.
 
-        Of numbers of samples or with slopes it comes out as such, in the shape of the places with these in front.
+        Of numbers of samples or with slopes it comes out as such, in the shape of the places with these in front; at a
+        symbol as an expression.
         """
+        if symbolic(x):
+            return switched(x, [(part.start, part.at(x, order)) for part in self.parts])
         if not self.plain:
             return self._spread(np.atleast_1d(x), order)
         x = np.asarray(x, dtype=float)
@@ -198,14 +202,22 @@ def composed(x: Jet, at: Any, order: int = 0) -> Jet:
 
 
 def evaluate_chained(x: Any, at: Any, order: int) -> Any:
-    """``at(places, order)`` where the places may be duals or enclosures."""
-    if hasattr(x, "along"):
+    """``at(places, order)`` where the places may be duals, enclosures or a symbol."""
+    if hasattr(x, "along") or symbolic(x):
         return at(x, order)
     places = np.asarray(value_of(x), dtype=float)
     value: Any = at(places, order)
     if isinstance(x, Dual):
         value = Dual(value_of(value), slope_of(value) + value_of(at(places, order + 1)) * x.slope)
     return value
+
+
+def switched(x: Any, pieces: Sequence[tuple[Any, Any]]) -> Any:
+    """The expression of pieces, each from its start on, at a symbol."""
+    found = pieces[0][1]
+    for start, value in pieces[1:]:
+        found = call("where", x >= start, value, found)
+    return found
 
 
 def rates(part: SmoothPart, x: Scalar, highest: int = SMOOTH) -> tuple[Scalar, ...]:

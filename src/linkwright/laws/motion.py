@@ -17,7 +17,7 @@ from linkwright.laws.pieces import SmoothPart
 from linkwright.laws.segments import MotionError, MotionFault, Segment
 from linkwright.notation import Jet, Scalar
 from linkwright.notation.duals import value_of
-from linkwright.notation.jets import call
+from linkwright.notation.jets import call, symbolic
 
 Array = NDArray[np.float64]
 
@@ -62,6 +62,8 @@ class Motion:
         """A derivative by the axis at any places; see :meth:`Curve.at`. Enclosures follow it by their own ``along``."""
         if (own := getattr(x, "along", None)) is not None:
             return own(self, order)
+        if symbolic(x):
+            return self._expression(x, order)
         x = np.asarray(x, dtype=float)
         if not self.plain:
             return self._spread(x, order)
@@ -74,6 +76,15 @@ class Motion:
         near = np.abs(whole) < FAR
         within = np.clip(np.where(near, x - np.where(near, whole, 0.0) * self.period, 0.0), 0.0, self.period)
         found = np.where(near, self.curve.at(within, order), np.nan)
+        return found + whole * self.advance if self.beyond == "advance" and order == 0 else found
+
+    def _expression(self, x: Any, order: int) -> Any:
+        """The same at a symbol."""
+        if self.beyond == "hold":
+            found = self.curve.at(_clamped(x, self.period), order)
+            return found if order == 0 else call("where", call("logic_and", x >= 0, x <= self.period), found, 0.0)
+        whole = call("floor", x / self.period)
+        found = self.curve.at(_clamped(x - whole * self.period, self.period), order)
         return found + whole * self.advance if self.beyond == "advance" and order == 0 else found
 
     def _spread(self, x: Array, order: int) -> Any:

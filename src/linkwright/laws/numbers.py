@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from linkwright.notation import Scalar
 from linkwright.notation.duals import Dual, slope_of, value_of
+from linkwright.notation.jets import symbolic
 
 Array = NDArray[np.float64]
 
@@ -31,6 +32,8 @@ def settled(number: Any) -> Scalar:
 
 def zero(like: Any) -> Any:
     """0 in the shape of some places."""
+    if symbolic(like):
+        return 0.0
     return Dual(np.zeros_like(like.value), 0.0) if isinstance(like, Dual) else np.zeros_like(like)
 
 

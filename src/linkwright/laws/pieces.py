@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from linkwright.laws.numbers import backward, largest, plain, zero
 from linkwright.notation import Jet, Scalar
 from linkwright.notation.duals import Dual, value_of
-from linkwright.notation.jets import call
+from linkwright.notation.jets import call, symbolic
 
 Array = NDArray[np.float64]
 
@@ -171,6 +171,9 @@ class Formula:
 
     def at(self, x: Any, order: int) -> Any:
         u: Any = (x - self.offset) / self.width
+        if symbolic(u):
+            value = self.function(Jet([u, 1.0, *[0.0] * max(0, order - 1)]).truncated(order)).d[order]
+            return self.scale / self.width**order * value + (self.base if order == 0 else 0.0)
         like = np.asarray(value_of(u), dtype=float)
         start = Dual(like, u.slope) if isinstance(u, Dual) else like
         jet = Jet([start, np.ones_like(like), *[np.zeros_like(like)] * max(0, order - 1)])

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from math import perm
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.laws.curve import composed
+from linkwright.laws.curve import composed, switched
 from linkwright.notation import Jet
 from linkwright.notation.duals import Dual, value_of
+from linkwright.notation.jets import call, symbolic
 
 Array = NDArray[np.float64]
 
@@ -54,7 +56,7 @@ class TableLaw:
 
     def __call__(self, x: Jet) -> Jet:
         """The value with its time derivatives, from those of the argument."""
-        if hasattr(x.d[0], "along"):
+        if hasattr(x.d[0], "along") or symbolic(x.d[0]):
             return self.or_nan(x)
         given = _number(x)
         at = self._within(given)
@@ -64,7 +66,9 @@ class TableLaw:
         return self._compose(x, at, 0)
 
     def or_nan(self, x: Jet) -> Jet:
-        """The same, NaN outside an open table; enclosures follow it by their own ``along``."""
+        """The same, NaN outside an open table; enclosures follow it by their own ``along``, symbols as expressions."""
+        if symbolic(x.d[0]):
+            return composed(x, self._expression)
         if hasattr(x.d[0], "along"):
             return composed(x, lambda places, order: places.along(self, order))
         return self._compose(x, self._within(_number(x)), 0)
@@ -93,6 +97,24 @@ class TableLaw:
         first, last = self.x[0], self.x[0] + self.period if self.period is not None else self.x[-1]
         wide &= (made.x[:-1] >= first) & (made.x[1:] <= last)
         return np.append(made.x[:-1][wide], made.x[1:][wide][-1]), made.c[::-1, wide].T
+
+    def _expression(self, x: Any, order: int) -> Any:
+        """A derivative at a symbol."""
+        first, last = float(self.x[0]), float(self.x[-1])
+        if self.period is not None:
+            within = x - call("floor", (x - first) / self.period) * self.period
+        else:
+            slack = 1e-12 * (last - first)
+            inside = call("logic_and", x >= first - slack, x <= last + slack)
+            within = call("where", inside, call("fmin", call("fmax", x, first), last), np.nan)
+        knots, powers = self.powers()
+        pieces = []
+        for start, row in zip(knots[:-1].tolist(), powers.tolist(), strict=True):
+            total = 0.0
+            for i in range(len(row) - 1, order - 1, -1):
+                total = total * (within - start) + perm(i, order) * row[i]
+            pieces.append((start, total))
+        return switched(within, pieces)
 
     def _within(self, at: Array) -> Array:
         """The arguments brought into the table by whole periods; NaN outside an open one."""

@@ -29,12 +29,17 @@ def is_zero(value: Scalar) -> bool:
     return bool(known()) if known is not None else False
 
 
+def symbolic(value: Scalar) -> bool:
+    """Whether a value is a CasADi symbol, told without loading CasADi."""
+    return type(value).__module__.startswith("casadi")
+
+
 def call(name: str, *args: Scalar) -> Scalar:
     """Apply an elementary function by its NumPy name to numbers, arrays, duals or CasADi symbols."""
     for arg in args:
         if (own := getattr(arg, "elementary", None)) is not None:
             return own(name, *args)
-        if type(arg).__module__.startswith("casadi"):
+        if symbolic(arg):
             import casadi
 
             aliases = {

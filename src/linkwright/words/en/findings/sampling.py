@@ -19,6 +19,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "is computed once, for the nominal values.",
         "Give the position of the second contact under second, or don't vary the law.",
     ),
+    "page.locked": (
+        "{where} is read from the file with the value of {name}; the report doesn't recompute it.",
+        "Change {name} in the file, then run it again.",
+    ),
     "varied.values": (
         "{count} of {samples} samples have values that aren't valid in the model; in the first one, {sample}: {what}",
         "Narrow the ranges of the varied parameters, or define dependent dimensions as expressions of them.",

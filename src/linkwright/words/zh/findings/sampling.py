@@ -17,6 +17,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "运动规律 {law} 决定 {name} 的第二接触的位置，而其中的 {names} 是变动的；该位置只按名义值计算一次。",
         "在 second 中给出第二接触的位置，或不变动该运动规律。",
     ),
+    "page.locked": (
+        "{where} 按文件中 {name} 的值确定，报告页面不重新计算。",
+        "在文件中修改 {name}，然后重新运行。",
+    ),
     "varied.values": (
         "{samples} 个样本中有 {count} 个的取值在模型中无效；第一个为样本 {sample}：{what}",
         "缩小变动参数的范围，或将相关的尺寸定义为变动参数的表达式。",

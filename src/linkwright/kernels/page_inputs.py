@@ -1,0 +1,138 @@
+"""What a page puts into its programs, as programs themselves: parameters, drives' values and rates, ratios of
+followers; and tables as their polynomials.
+
+Laws are evaluated on symbols, so that what the page computes is what this package does. What isn't an expression of a
+parameter (the pieces of a motion law, the values of a table) is left as it is at the nominal parameters, which are
+locked then.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import casadi as ca
+
+from linkwright.expressions.fields import Expression
+from linkwright.expressions.language import Name, evaluate
+from linkwright.expressions.typed_fields import Sign
+from linkwright.findings import Finding, ModelError
+from linkwright.graph.geometry import Geometry
+from linkwright.graph.program import ExpressionStage, Program
+from linkwright.kernels.compiled import Compiled
+from linkwright.kernels.parameter_batch import Varied
+from linkwright.kernels.tables import StatedTable
+from linkwright.laws import TableLaw
+from linkwright.model.quantities import Quantities
+from linkwright.model.sampled import dependent, names_in
+from linkwright.model.values import CONSTANT
+from linkwright.model.walk import QuantityPlace
+
+
+def derived_parameters(quantities: Quantities) -> Program:
+    """The program of all parameters (SI): its inputs are those that depend on no other."""
+    names, parts = tuple(quantities.parameters), quantities.mechanism.parameters
+    free = tuple(name for name in names if not names_in(parts[name].value.node) & {*names})
+    x = ca.SX.sym("x", len(free))
+    known = dict(zip(free, ca.vertsplit(x) if free else (), strict=True))
+    for name in quantities.order:
+        if name not in known:
+            node = quantities.bind(parts[name].value, quantities.dimensions.of(name))
+            known[name] = ca.SX(evaluate(node, lambda other: known[other.text]))
+    stage = ExpressionStage.from_rows(x, ca.SX(0, 1), [known[name] for name in names])
+    return Program((), stage, free, (), names)
+
+
+def locked_parameters(compiled: Compiled, free: Iterable[str]) -> dict[str, Finding]:
+    """Of some parameters those that can't be moved in a page, each with the reason."""
+    found: dict[str, Finding] = {}
+    fixed = {("laws", name): motion.names for name, motion in compiled.motions.items()}
+    fixed |= {("tables", name): table.names for name, table in compiled.tables.items()}
+    for name in free:
+        try:
+            Varied(compiled, [name])
+        except ModelError as error:
+            found[name] = error.findings[0]
+            continue
+        varying = dependent(compiled.quantities, frozenset([name]))
+        for path, names in fixed.items():
+            if varying & names:
+                found.setdefault(name, Finding("page.locked", path, {"name": name, "where": path[1]}, severity="note"))
+    return found
+
+
+def law_program(compiled: Compiled, locked: Iterable[str]) -> Program:
+    """The drives' values and rates (SI) at a time (s), drive by drive."""
+    t: Any = ca.SX.sym("t")
+    p, parameters = _parameters(compiled, locked)
+    rows = [part for drive in compiled.graph.drives for part in compiled.laws[drive].at(t, parameters).d]
+    return _program(compiled, t, p, rows, ("t",))
+
+
+def ratio_program(compiled: Compiled, locked: Iterable[str]) -> Program:
+    """Of each follower the derivative of its value by its motor's, and the rate of that in time, from the motor's value
+    (rad or m) and rate, follower by follower."""
+    followers = compiled.supply.followers
+    p, parameters = _parameters(compiled, locked)
+    x = ca.SX.sym("x", 2 * len(followers))
+    rows = [part for i, law in enumerate(followers.values()) for part in law.ratio(x[2 * i], x[2 * i + 1], parameters)]
+    return _program(compiled, x, p, rows, tuple(f"{name}:{k}" for name in followers for k in (0, 1)))
+
+
+def constants_program(compiled: Compiled) -> Program:
+    """What is computed once for a set of parameters: the angle (rad) near which each counted one starts, 0 where it
+    starts anywhere; then the numbers that are looked at (see :func:`numbers_looked_at`)."""
+    p, parameters = _parameters(compiled, ())
+    geometry, supply = Geometry(compiled.quantities, parameters), compiled.supply
+    rows: list[Any] = []
+    for name in compiled.graph.actions.turning:
+        counted = compiled.graph.actions.counted_angles.get(name)
+        rows.append(0.0 if counted is None else supply.start_angle(name, geometry.number))
+    rows += [geometry.number(*place) for kind in numbers_looked_at(compiled.quantities) for place in kind]
+    return _program(compiled, ca.SX(0, 1), p, rows, ())
+
+
+def numbers_looked_at(quantities: Quantities) -> tuple[list[Any], list[Any], list[Any]]:
+    """What depends on parameters and must be positive, what must not be negative, and what must be finite: expressions
+    with their dimensions."""
+    found: dict[Sign, list[Any]] = {sign: [] for sign in Sign}
+
+    def depends(expression: Expression) -> bool:
+        names = names_in(expression.node)
+        return bool(names) and names <= quantities.parameters.keys()
+
+    for site in quantities.fields:
+        if isinstance(site, QuantityPlace):
+            expression, of = site.parts[0]
+            wanted = of.dimension_at(site.context)
+            if wanted is not None and depends(expression):
+                found[of.sign_at(site.context)].append((expression, quantities.dimensions.resolve(wanted)))
+    composed = [
+        (place.expression, quantities.dimensions.resolve(place.wanted))
+        for place in quantities.places
+        if place.scope in CONSTANT and depends(place.expression) and not isinstance(place.expression.node, Name)
+    ]
+    return found[Sign.POSITIVE], found[Sign.NOT_NEGATIVE], composed
+
+
+def table_pieces(table: StatedTable) -> dict[str, Any]:
+    """A table as its polynomials: where they begin and the last ends, and the coefficients of each, lowest power first,
+    of what the argument is past its beginning."""
+    assert isinstance(table, TableLaw)
+    knots, powers = table.powers()
+    ends = [float(table.x[0]), float(table.x[-1])]
+    return {"knots": knots.tolist(), "powers": powers.tolist(), "ends": ends, "period": table.period}
+
+
+def _parameters(compiled: Compiled, locked: Iterable[str]) -> tuple[Any, Mapping[str, Any]]:
+    """The parameters as a column of symbols, and by name: those on which locked ones depend as numbers."""
+    names, nominal = compiled.graph.parameters, compiled.quantities.parameters
+    symbols = [ca.SX.sym(name) for name in names]
+    fixed = dependent(compiled.quantities, frozenset(locked))
+    given = {name: nominal[name] if name in fixed else symbol for name, symbol in zip(names, symbols, strict=True)}
+    return ca.vertcat(*symbols), given
+
+
+def _program(compiled: Compiled, x: Any, p: Any, rows: list[Any], inputs: tuple[str, ...]) -> Program:
+    stage = ExpressionStage.from_rows(x, p, rows)
+    return Program((), stage, inputs, compiled.graph.parameters, tuple(map(str, range(len(rows)))))

@@ -1,0 +1,161 @@
+"""What a page needs to compute the motion of a mechanism itself, with parameters that its reader moves: programs, and
+the plain data that join them.
+
+The page does what :class:`linkwright.kernels.parameter_batch.Varied` does for one sample: parameters from the free
+ones, drives from the time, coordinates of higher groups by continuation, whole turns, tables, ratios of followers, and
+then all signals. How it joins the programs: ``web/src/program/``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import chain
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.findings import Finding
+from linkwright.graph.program import Program
+from linkwright.graph.rows import Named, ReachRow, reaches
+from linkwright.kernels.compiled import Compiled
+from linkwright.kernels.javascript_source import javascript_array
+from linkwright.kernels.page_inputs import (
+    constants_program,
+    derived_parameters,
+    law_program,
+    locked_parameters,
+    numbers_looked_at,
+    ratio_program,
+    table_pieces,
+)
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class PagePrograms:
+    """A compiled mechanism's ``rows`` as a page computes them, with all parameters but the ``locked`` ones free.
+
+    A locked parameter has a finding that says why: what depends on it is no expression.
+    """
+
+    compiled: Compiled
+    rows: tuple[Named, ...]
+
+    @cached_property
+    def locked(self) -> dict[str, Finding]:
+        """The parameters that can't be moved, among those that depend on no other."""
+        return locked_parameters(self.compiled, self.derived.inputs)
+
+    @cached_property
+    def derived(self) -> Program:
+        """All parameters (SI) from those that depend on no other."""
+        return derived_parameters(self.compiled.quantities)
+
+    @cached_property
+    def values(self) -> tuple[float, ...]:
+        """The nominal values (SI) of those that depend on no other."""
+        return tuple(self.compiled.quantities.parameters[name] for name in self.derived.inputs)
+
+    @cached_property
+    def signals(self) -> Program:
+        """The rows, then the reaches of all dyads with two modes, from inputs that are all known."""
+        return self.compiled.graph.program([*self.rows, *self.reaches])
+
+    @cached_property
+    def reaches(self) -> list[ReachRow]:
+        """The rows whose signs say which dyads can't close."""
+        return reaches(self.compiled.structure)
+
+    @cached_property
+    def programs(self) -> dict[str, list[Program]]:
+        """All programs, by what they are for."""
+        compiled, supply = self.compiled, self.compiled.supply
+        graph = compiled.graph
+        used = self.signals.used[0]
+        turns = [supply.turns[name].kernel.program for name in graph.actions.turning if supply.rows[f"turns/{name}"]]
+        return {
+            "derived": [self.derived],
+            "constants": [constants_program(compiled)],
+            "laws": [law_program(compiled, self.locked)],
+            "closures": [graph.program(graph.closure(group)) for group in compiled.structure.higher_groups],
+            "turns": turns,
+            "lookups": [kernel.program for _, kernel in supply.levels],
+            "ratios": [ratio_program(compiled, self.locked)] if supply.followers and max(used) >= supply.first else [],
+            "signals": [self.signals],
+        }
+
+    def code(self) -> str:
+        """All programs as one JavaScript expression, an array: nothing of it comes from a name."""
+        return javascript_array(chain.from_iterable(self.programs.values()))
+
+    def data(self) -> dict[str, Any]:
+        """All else, to be written as JSON. Rows are those of the inputs of a pose; numbers are in SI.
+
+        ``programs``: how many there are of each kind, in the order of the array. ``higher``: of each higher group its
+        rows, the scale of each coordinate, which of them slide, their start at the nominal parameters. ``turns``,
+        ``lookups``, ``ratios``, ``totals``: the rows that are put in place before the signals.
+        """
+        compiled, graph, supply = self.compiled, self.compiled.graph, self.compiled.supply
+        rows, width = supply.rows, graph.width
+        size = compiled.assembly.size()
+        actions = graph.actions
+        return {
+            "programs": {kind: len(programs) for kind, programs in self.programs.items()},
+            "free": list(self.derived.inputs),
+            "values": list(self.values),
+            "parameters": len(graph.parameters),
+            "locked": sorted(self.locked),
+            "inputs": len(graph.inputs),
+            "drives": {"count": len(graph.drives), "width": width},
+            "branches": [compiled.assembly.branches[group] for group in graph.branched],
+            "groups": [row.group for row in self.reaches],
+            "size": size,
+            "higher": [
+                {
+                    "group": group.label,
+                    "rows": graph.coordinates(group),
+                    "scale": list(group.units(size)),
+                    "slides": [not turning for turning in group.turning],
+                    "start": list(compiled.assembly.starts[group]),
+                }
+                for group in compiled.structure.higher_groups
+            ],
+            "time": rows.get("t"),
+            "turns": [
+                {"row": rows[f"turns/{name}"], "started": supply.start_angle(name) is not None}
+                for name in actions.turning
+            ],
+            "tables": [table_pieces(compiled.tables[name]) for name in self._tables],
+            "lookups": [[self._lookup(index) for index in which] for which, _ in supply.levels],
+            "ratios": [
+                {"rows": [rows[f"ratio/{name}/{k}"] for k in (0, 1)], "motor": supply.motor(law)}
+                for name, law in supply.followers.items()
+            ]
+            if self.programs["ratios"]
+            else [],
+            "totals": [
+                [rows[f"total/{name}"], law.total] for name, law in supply.followers.items() if f"total/{name}" in rows
+            ],
+            "outputs": len(self.rows),
+            "looked_at": [len(kind) for kind in numbers_looked_at(compiled.quantities)],
+        }
+
+    @cached_property
+    def _tables(self) -> list[str]:
+        """The tables that are asked."""
+        return [*dict.fromkeys(lookup.table for lookup in self.compiled.graph.actions.lookups)]
+
+    def _lookup(self, index: int) -> dict[str, Any]:
+        """A lookup by its number: the row of its answer, whose rate follows, and of which table it is."""
+        lookup = self.compiled.graph.actions.lookups[index]
+        row = self.compiled.supply.rows[f"table/{index}/0"]
+        return {"row": row, "table": self._tables.index(lookup.table), "integral": lookup.integral}
+
+
+def page_programs(compiled: Compiled, rows: Sequence[Named]) -> PagePrograms:
+    """Rows of a mechanism as a page can compute them."""
+    return PagePrograms(compiled, tuple(rows))

@@ -1,0 +1,64 @@
+// What a page gets of a mechanism: emitted programs, and the numbers that join them (linkwright/kernels/page_programs.py).
+// All numbers are in SI. Rows are those of the inputs of one pose.
+
+/** An emitted program: what depends on the parameters alone is computed once, then pose by pose. */
+export interface Program {
+  parameters(p: ArrayLike<number>): void;
+  pose(x: ArrayLike<number>, out: Float64Array): void;
+}
+
+/** A group beyond the dyads, solved by Newton: `scale` measures the steps of its coordinates, of which some `slide`. */
+export interface HigherGroup {
+  group: string;
+  rows: number[];
+  scale: number[];
+  slides: boolean[];
+  start: number[];
+}
+
+/** A table as polynomials of what its argument is past a knot, lowest power first. */
+export interface Table {
+  knots: number[];
+  powers: number[][];
+  ends: [number, number];
+  period: number | null;
+}
+
+/** An answer of a table, or of its integral: its value in this row, its rate in the next. */
+export interface Lookup {
+  row: number;
+  table: number;
+  integral: boolean;
+}
+
+/** How many programs there are of each kind, in the order of the array of programs. */
+export type Counts = Record<
+  "derived" | "constants" | "laws" | "closures" | "turns" | "lookups" | "ratios" | "signals",
+  number
+>;
+
+export interface ProgramData {
+  programs: Counts;
+  /** Parameters that depend on no other: names, nominal values, and those that can't be moved. */
+  free: string[];
+  values: number[];
+  locked: string[];
+  /** Of all parameters, by number: how many there are. */
+  parameters: number;
+  inputs: number;
+  drives: { count: number; width: number };
+  branches: number[];
+  /** The dyads with two modes, in the order of their reaches. */
+  groups: string[];
+  size: number;
+  higher: HigherGroup[];
+  time: number | null;
+  turns: { row: number; started: boolean }[];
+  tables: Table[];
+  lookups: Lookup[][];
+  ratios: { rows: [number, number]; motor: number }[];
+  totals: [number, number][];
+  outputs: number;
+  /** How many numbers must be positive, how many not negative, how many finite. */
+  looked_at: [number, number, number];
+}

@@ -1,0 +1,216 @@
+// A mechanism in the page: from the values of its free parameters to all signals over a grid of times.
+
+import { MAX_TURN, wholeTurns, wrapped } from "./angles.ts";
+import type { Program, ProgramData } from "./data.ts";
+import { HigherGroups, PATIENCE } from "./higher_groups.ts";
+import { answer } from "./tables.ts";
+
+/** Why and from which pose on a mechanism has no motion: a `parameter` without a value, a `number` that must not be
+ * so, a `drive` without a value, a `group` (by its number) that can't close, a `higher` one that can't be followed. */
+export interface Failure {
+  kind: "parameter" | "number" | "drive" | "group" | "higher";
+  index: number;
+  pose: number;
+}
+
+/** The signals of a mechanism at a set of parameters. A row is NaN where a pose can't be assembled. */
+export interface Motion {
+  rows: Float64Array[];
+  /** Of each dyad with two modes its reach, negative where it can't close. */
+  reaches: Float64Array[];
+  parameters: Float64Array;
+  failure: Failure | null;
+}
+
+const sum = (numbers: readonly number[]): number => numbers.reduce((total, each) => total + each, 0);
+
+const STEEPEST = 12; // halvings of a stretch between two times while a turning angle is followed
+
+export class Mechanism {
+  private readonly kinds: Record<string, Program[]> = {};
+  private readonly p: Float64Array;
+  private readonly nominal: Float64Array;
+  private readonly out: Float64Array;
+  private readonly laws: Float64Array;
+  private readonly poses: Float64Array[];
+  private readonly higher: HigherGroups;
+  private readonly size: number;
+  readonly data: ProgramData;
+  readonly times: readonly number[];
+
+  constructor(data: ProgramData, programs: readonly Program[], times: readonly number[]) {
+    this.data = data;
+    this.times = times;
+    let next = 0;
+    for (const [kind, count] of Object.entries(data.programs)) {
+      this.kinds[kind] = programs.slice(next, (next += count));
+    }
+    this.p = new Float64Array(data.parameters);
+    this.size = data.outputs + data.groups.length;
+    this.out = new Float64Array(this.size);
+    this.laws = new Float64Array(data.drives.count * data.drives.width);
+    const all = new Float64Array(times.length * data.inputs);
+    this.poses = times.map((_, k) => all.subarray(k * data.inputs, (k + 1) * data.inputs));
+    this.higher = new HigherGroups(data.higher, this.kinds["closures"]!, data.inputs);
+    this.nominal = this.derived(data.values).slice();
+  }
+
+  /** All parameters (SI) from the free ones. */
+  derived(free: ArrayLike<number>): Float64Array {
+    this.only("derived").pose(free, this.p);
+    return this.p;
+  }
+
+  private only(kind: string): Program {
+    return this.kinds[kind]![0]!;
+  }
+
+  /** All signals at some values of the free parameters, in their order. */
+  run(free: ArrayLike<number>): Motion {
+    const parameters = this.derived(free).slice();
+    const rows = Array.from({ length: this.size }, () => new Float64Array(this.times.length).fill(NaN));
+    const motion: Motion = {
+      rows: rows.slice(0, this.data.outputs),
+      reaches: rows.slice(this.data.outputs),
+      parameters,
+      failure: null,
+    };
+    const constants = new Float64Array(this.data.turns.length + sum(this.data.looked_at));
+    this.tell(parameters);
+    this.only("constants").pose([], constants);
+    const unknown = parameters.findIndex((value) => !Number.isFinite(value));
+    const wrong = this.wrongNumber(constants.subarray(this.data.turns.length));
+    if (unknown >= 0 || wrong >= 0) {
+      motion.failure =
+        unknown >= 0 ? { kind: "parameter", index: unknown, pose: 0 } : { kind: "number", index: wrong, pose: 0 };
+      return motion;
+    }
+    const lost = this.place(parameters);
+    this.turn(constants);
+    this.supply();
+    this.times.forEach((_, k) => {
+      this.only("signals").pose(this.poses[k]!, this.out);
+      for (let i = 0; i < this.size; i++) rows[i]![k] = this.out[i]!;
+    });
+    motion.failure = this.failure(motion, lost);
+    return motion;
+  }
+
+  /** Let all programs know the parameters. */
+  private tell(parameters: Float64Array): void {
+    for (const [kind, programs] of Object.entries(this.kinds)) {
+      if (kind !== "derived") for (const program of programs) program.parameters(parameters);
+    }
+  }
+
+  private wrongNumber(values: Float64Array): number {
+    const [positive, signed] = [this.data.looked_at[0], this.data.looked_at[0] + this.data.looked_at[1]];
+    return values.findIndex((value, i) => !(i < positive ? value > 0 : i < signed ? value >= 0 : Number.isFinite(value)));
+  }
+
+  /** Drives and branches of a pose at a time. */
+  private readonly drive = (time: number, x: Float64Array): void => {
+    this.only("laws").pose([time], this.laws);
+    x.set(this.laws);
+    x.set(this.data.branches, this.laws.length);
+    if (this.data.time !== null) x[this.data.time] = time;
+    for (const [row, total] of this.data.totals) x[row] = total;
+  };
+
+  /** The motion's own inputs of all poses; from which pose on the higher groups can't be followed. */
+  private place(parameters: Float64Array): number {
+    this.times.forEach((time, k) => this.drive(time, this.poses[k]!));
+    if (!this.data.higher.length) return this.times.length;
+    const laws = this.only("laws");
+    const homotopy = (share: number, x: Float64Array): void => {
+      const there = share < 1 ? parameters.map((goal, i) => this.nominal[i]! + share * (goal - this.nominal[i]!)) : parameters;
+      laws.parameters(there);
+      for (const closure of this.kinds["closures"]!) closure.parameters(there);
+      this.drive(0, x);
+    };
+    const begun = this.higher.begin(homotopy);
+    this.tell(parameters);
+    if (begun) this.higher.restart(this.drive);
+    const least = PATIENCE * Math.max(...this.times);
+    let lost = this.times.length;
+    for (const [k, time] of this.times.entries()) {
+      if (!this.higher.advance(this.drive, time, least)) lost = Math.min(lost, k);
+      this.higher.fill(this.poses[k]!);
+    }
+    return lost;
+  }
+
+  /** The whole turns of angles that axes tell but for these: each runs on without jumps from the first time. */
+  private turn(starts: Float64Array): void {
+    this.data.turns.forEach(({ row, started }, i) => {
+      const program = this.kinds["turns"]![i]!;
+      const [here, y] = [new Float64Array(2), new Float64Array(2)];
+      let path = NaN;
+      let before: { time: number; x: Float64Array } | null = null;
+      for (const [k, x] of this.poses.entries()) {
+        program.pose(x, y);
+        const time = this.times[k]!;
+        if (before === null) path = y[0]! + (started ? 2 * Math.PI * wholeTurns(y[0]!, starts[i]!) : 0);
+        else path += this.turned(program, before.time, here, time, y, 0);
+        here.set(y);
+        before = { time, x };
+        x[row] = wholeTurns(y[0]!, path);
+      }
+    });
+  }
+
+  /** By how much an angle turns between two times, where it and its rate are known; in between it is looked at as
+   * closely as it turns fast. */
+  private turned(program: Program, a: number, from: Float64Array, b: number, to: Float64Array, depth: number): number {
+    const foretold = ((b - a) * (from[1]! + to[1]!)) / 2;
+    if (Math.abs(foretold) > MAX_TURN && depth < STEEPEST && !this.data.higher.length) {
+      const [middle, x, y] = [(a + b) / 2, new Float64Array(this.data.inputs), new Float64Array(2)];
+      this.drive(middle, x);
+      program.pose(x, y);
+      return this.turned(program, a, from, middle, y, depth + 1) + this.turned(program, middle, y, b, to, depth + 1);
+    }
+    return foretold + wrapped(to[0]! - from[0]! - foretold);
+  }
+
+  /** Answers of tables, level by level, and ratios of followers. */
+  private supply(): void {
+    this.data.lookups.forEach((asked, level) => {
+      const program = this.kinds["lookups"]![level]!;
+      const y = new Float64Array(2 * asked.length);
+      for (const x of this.poses) {
+        program.pose(x, y);
+        asked.forEach(({ row, table, integral }, i) => {
+          const [value, slope] = answer(this.data.tables[table]!, y[2 * i]!, integral);
+          x[row] = value;
+          x[row + 1] = slope * y[2 * i + 1]!;
+        });
+      }
+    });
+    const { ratios } = this.data;
+    if (!ratios.length) return;
+    const [given, y] = [new Float64Array(2 * ratios.length), new Float64Array(2 * ratios.length)];
+    for (const x of this.poses) {
+      ratios.forEach(({ motor }, i) => given.set([x[motor]!, x[motor + 1]!], 2 * i));
+      this.only("ratios").pose(given, y);
+      ratios.forEach(({ rows: [ratio, rate] }, i) => {
+        x[ratio] = y[2 * i]!;
+        x[rate] = y[2 * i + 1]!;
+      });
+    }
+  }
+
+  /** The first pose without a motion, and why: what comes first on the way of that pose. */
+  private failure(motion: Motion, lost: number): Failure | null {
+    const { count, width } = this.data.drives;
+    for (const k of this.times.keys()) {
+      for (let i = 0; i < count; i++) {
+        const law = this.poses[k]!.subarray(i * width, i * width + 3);
+        if (!law.every((value) => Number.isFinite(value))) return { kind: "drive", index: i, pose: k };
+      }
+      const index = motion.reaches.findIndex((reach) => reach[k]! < 0);
+      if (index >= 0) return { kind: "group", index, pose: k };
+      if (k >= lost) return { kind: "higher", index: 0, pose: k };
+    }
+    return null;
+  }
+}
