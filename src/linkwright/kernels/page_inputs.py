@@ -57,7 +57,7 @@ def locked_parameters(compiled: Compiled, free: Iterable[str]) -> dict[str, Find
         varying = dependent(compiled.quantities, frozenset([name]))
         for path, names in fixed.items():
             if varying & names:
-                found.setdefault(name, Finding("page.locked", path, {"name": name, "where": path[1]}, severity="note"))
+                found.setdefault(name, Finding("varied.locked", path, {"name": name, "where": path[1]}, severity="note"))
     return found
 
 

@@ -19,7 +19,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "is computed once, for the nominal values.",
         "Give the position of the second contact under second, or don't vary the law.",
     ),
-    "page.locked": (
+    "varied.locked": (
         "{where} is read from the file with the value of {name}; the report doesn't recompute it.",
         "Change {name} in the file, then run it again.",
     ),

@@ -17,7 +17,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "运动规律 {law} 决定 {name} 的第二接触的位置，而其中的 {names} 是变动的；该位置只按名义值计算一次。",
         "在 second 中给出第二接触的位置，或不变动该运动规律。",
     ),
-    "page.locked": (
+    "varied.locked": (
         "{where} 按文件中 {name} 的值确定，报告页面不重新计算。",
         "在文件中修改 {name}，然后重新运行。",
     ),
