@@ -1,14 +1,29 @@
-// Runs a mechanism as the page does, one command a line: paths of the emitted code, of the page's data, and of sets of
-// free parameters, one after another. Writes parameters, rows and reaches of each set, and answers with the failures.
+// Runs a mechanism as the page does, one command a line: paths of the emitted code and of the page's data, and `sets` of
+// free parameters, one after another (it writes parameters, rows and reaches of each set, and answers with the failures),
+// or `drags` of points to targets.
 import fs from "node:fs";
 import readline from "node:readline";
+import { drag } from "../../web/src/program/drag.ts";
 import { Mechanism } from "../../web/src/program/mechanism.ts";
 
 const doubles = (path) => new Float64Array(new Uint8Array(fs.readFileSync(path)).buffer);
 
-function run({ code, data, sets, out }) {
+function mechanismOf({ code, data }) {
   const { times, ...page } = JSON.parse(fs.readFileSync(data, "utf8"));
-  const mechanism = new Mechanism(page, (0, eval)(fs.readFileSync(code, "utf8")), times);
+  return new Mechanism(page, (0, eval)(fs.readFileSync(code, "utf8")), times);
+}
+
+function dragged(command) {
+  const mechanism = mechanismOf(command);
+  return command.drags.map(({ free, time, point, target, freedom }) => {
+    const found = drag(mechanism, free, time, point, target, freedom);
+    return { ...found, free: [...found.free] };
+  });
+}
+
+function run({ sets, out, ...paths }) {
+  const mechanism = mechanismOf(paths);
+  const page = mechanism.data;
   const from = doubles(sets);
   const [parts, failures] = [[], []];
   const count = page.free.length;
@@ -24,7 +39,8 @@ function run({ code, data, sets, out }) {
 readline.createInterface({ input: process.stdin }).on("line", (line) => {
   let answer;
   try {
-    answer = { failures: run(JSON.parse(line)) };
+    const command = JSON.parse(line);
+    answer = command.drags ? { drags: dragged(command) } : { failures: run(command) };
   } catch (error) {
     answer = { error: String(error.stack) };
   }

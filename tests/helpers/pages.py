@@ -30,13 +30,27 @@ class PageRun:
 def page_run(made: PagePrograms, times: Array, sets: Array) -> PageRun:
     """The page's own computation at sets of free parameters, (sets, free) in SI."""
     with tempfile.TemporaryDirectory() as folder:
-        paths = {name: Path(folder) / name for name in ("code", "data", "sets", "out")}
-        paths["code"].write_text(made.code(), encoding="utf-8")
-        paths["data"].write_text(json.dumps({**made.data(), "times": times.tolist()}, allow_nan=False))
-        np.ascontiguousarray(sets, dtype=float).tofile(paths["sets"])
-        answer = asked({name: str(path) for name, path in paths.items()}, "page.mjs")
-        assert "error" not in answer, answer["error"]
+        given, out = Path(folder) / "sets", Path(folder) / "out"
+        np.ascontiguousarray(sets, dtype=float).tofile(given)
+        answer = _asked(made, times, Path(folder), {"sets": str(given), "out": str(out)})
         count, reaches = len(made.compiled.graph.parameters), len(made.reaches)
-        found = np.fromfile(paths["out"]).reshape(len(answer["failures"]), -1)
+        found = np.fromfile(out).reshape(len(answer["failures"]), -1)
     rows = found[:, count:].reshape(len(found), len(made.rows) + reaches, times.size)
     return PageRun(found[:, :count], rows[:, : len(made.rows)], rows[:, len(made.rows) :], answer["failures"])
+
+
+def page_drags(made: PagePrograms, drags: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Points dragged to targets: each from ``free`` parameters at a ``time`` (s), the ``point`` by its number, to a
+    ``target`` (m), with the ``freedom`` that ``web/src/program/drag.ts`` describes."""
+    with tempfile.TemporaryDirectory() as folder:
+        found: list[dict[str, Any]] = _asked(made, np.zeros(1), Path(folder), {"drags": drags})["drags"]
+        return found
+
+
+def _asked(made: PagePrograms, times: Array, folder: Path, command: dict[str, Any]) -> dict[str, Any]:
+    code, data = folder / "code", folder / "data"
+    code.write_text(made.code(), encoding="utf-8")
+    data.write_text(json.dumps({**made.data(), "times": times.tolist()}, allow_nan=False))
+    answer: dict[str, Any] = asked({"code": str(code), "data": str(data), **command}, "page.mjs")
+    assert "error" not in answer, answer["error"]
+    return answer

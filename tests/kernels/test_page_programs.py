@@ -12,7 +12,7 @@ import pytest
 from helpers.acting import acting
 from helpers.compiled import compiled_from
 from helpers.examples import four_bar
-from helpers.pages import PageRun, page_run
+from helpers.pages import PageRun, page_drags, page_run
 from helpers.plain import document_of
 from helpers.random_mechanisms import Seeded, build
 from linkwright.compilation import compile_mechanism
@@ -122,6 +122,44 @@ def name_of_cause(varied: Varied, k: int, found: PageRun, sets: np.ndarray) -> t
     elif failure["kind"] == "higher":
         owner = next(cause.of for cause in varied.causes if isinstance(cause.of, HigherGroup))
     return failure["pose"], next(i for i, cause in enumerate(varied.causes) if cause.of == owner)
+
+
+def freedom(made: PagePrograms, **more: Any) -> dict[str, Any]:
+    """That of a drag in which all parameters that aren't locked may change by half their value."""
+    base = np.array(made.values)
+    held = [name in made.locked for name in made.derived.inputs]
+    ends = np.sort(np.array([0.5 * base, 1.5 * base]), axis=0)
+    sizes = [made.compiled.assembly.size()] * len(base)
+    return {"sizes": sizes, "low": ends[0].tolist(), "high": ends[1].tolist(), "held": held, **more}
+
+
+@needs_node
+@pytest.mark.parametrize("path", FILES, ids=lambda path: f"{path.parent.name}-{path.stem}")
+def test_drags(path: Path) -> None:
+    """Any point goes to a place nearby, where the parameters can bring it; so does that of a sample with these."""
+    compiled = driven(path)
+    if compiled is None or not compiled.quantities.parameters:
+        pytest.skip("nothing can be dragged")
+    made, rng = page_programs(compiled, compiled.graph.pose_rows), np.random.default_rng(3)
+    places = [f"{point}.{axis}" for point in made.points for axis in "xy"]
+    size, drags = compiled.assembly.size(), []
+    for time in rng.uniform(0.0, 1.0, 6):
+        at = compiled.evaluate(places, np.array([time]))[:, 0].reshape(-1, 2)
+        for point, place in enumerate(at.tolist()):
+            target = (np.array(place) + 0.02 * size * rng.uniform(-1, 1, 2)).tolist()
+            drags.append(
+                {"free": made.values, "time": time, "point": point, "target": target, "freedom": freedom(made)}
+            )
+    found = page_drags(made, drags)
+    assert not any(np.isnan(one["off"]) for one in found)
+    varied, p = batch(made, np.array([one["free"] for one in found]))
+    true = varied.evaluate(places, p, np.array([drag["time"] for drag in drags]))
+    for k, (drag, one) in enumerate(zip(drags, found, strict=True)):
+        here = true[2 * drag["point"] : 2 * drag["point"] + 2, k, k]
+        assert np.isfinite(here).all()
+        off = float(np.hypot(*(here - drag["target"])))
+        assert abs(off - one["off"]) < 1e-9 * size
+        assert one["reached"] == (off <= 1e-8 * size * (1 + 1e-9)) or abs(off - 1e-8 * size) < 1e-12 * size
 
 
 @pytest.mark.parametrize("name", ["chinese_names", "geneva", "jansen_leg", "paper_feeder_dwell", "quick_return"])

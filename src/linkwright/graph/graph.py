@@ -73,6 +73,13 @@ class Graph:
         """The first input row that Newton supplies."""
         return len(self.drives) * self.width + len(self.branched)
 
+    @cached_property
+    def nearest_poses(self) -> Program:
+        """The program of the pose rows where dyads that can't close come nearest to it."""
+        view = View.build(self, 0, self.inputs, nearest=True)
+        block = ExpressionStage.from_rows(view.x, view.p, [ca.SX(view.row(row)) for row in self.pose_rows])
+        return Program((), block, self.inputs, self.parameters, tuple(row.label for row in self.pose_rows))
+
     @property
     def width(self) -> int:
         """How many rows each drive has: its value and its rates."""

@@ -24,7 +24,8 @@ Unknowns = Callable[[HigherGroup], list[Scalar]]
 
 @dataclass
 class Motion:
-    """Bodies by link, the solved groups, and the freedom of each driven link."""
+    """Bodies by link, the solved groups, and the freedom of each driven link; with ``nearest``, dyads that can't close
+    stay open where they come nearest to it."""
 
     structure: Structure
     geometry: Geometry
@@ -34,6 +35,7 @@ class Motion:
     dyads: dict[Group, tuple[Dyad, Solved]] = field(default_factory=dict)
     wedges: dict[Wedge, SolvedWedge] = field(default_factory=dict)
     twists: dict[Driven, Twist] = field(default_factory=dict)
+    nearest: bool = False
 
     def dyad(self, label: str) -> tuple[Dyad, Solved]:
         """A solved dyad by its label."""
@@ -142,7 +144,7 @@ def _group(motion: Motion, step: Group, drives: dict[str, Jet], branch: Branch) 
     sides = list(zip(step.ends, step.chains, strict=True))
     carry_a, carry_b = (partial(place_chain, motion, end, chain, drives) for end, chain in sides)
     frozen = joint.seen_from(carry_a(Body.fixed(0)), carry_b(Body.fixed(0))) if any(step.chains) else joint
-    dyad = REGISTRY[step.signature](first, joint, second, (carry_a, carry_b), frozen)
+    dyad = REGISTRY[step.signature](first, joint, second, (carry_a, carry_b), frozen, motion.nearest)
     solved = dyad.solve(branch(step, dyad), motion.order)
     motion.dyads[step] = dyad, solved
     a, b = solved.first, solved.second

@@ -43,7 +43,9 @@ class View:
     plays: list[Any]
 
     @classmethod
-    def build(cls, graph: Graph, order: int, inputs: tuple[str, ...], plays: Sequence[str] = ()) -> View:
+    def build(
+        cls, graph: Graph, order: int, inputs: tuple[str, ...], plays: Sequence[str] = (), nearest: bool = False
+    ) -> View:
         symbols = [ca.SX.sym(name) for name in inputs]
         x, first = ca.vertcat(*symbols), len(graph.motion_inputs)
         given, symbols = dict(zip(inputs[first:], symbols[first:], strict=True)), symbols[:first]
@@ -58,7 +60,12 @@ class View:
         parameters = dict(zip(graph.parameters, values, strict=True))
         geometry = Geometry(graph.quantities, parameters, dict(zip(plays, offsets, strict=True)))
         motion = solve_motion(
-            graph.structure, geometry, laws, lambda group, _: branches.get(group, 1.0), unknowns.__getitem__
+            graph.structure,
+            geometry,
+            laws,
+            lambda group, _: branches.get(group, 1.0),
+            unknowns.__getitem__,
+            Motion(graph.structure, geometry, order, nearest=nearest),
         )
         return cls(graph, x, ca.vertcat(*values), motion, laws, given, offsets)
 

@@ -45,6 +45,17 @@ class Root:
     second: Coordinate
     reach: Scalar
 
+    def of_unit_length(self) -> Root:
+        """The same with axes of unit length, which those of a group that can't close haven't."""
+        return Root(_normalised(self.first), _normalised(self.second), self.reach)
+
+
+def _normalised(coordinate: Coordinate) -> Coordinate:
+    if not isinstance(coordinate, Pair):
+        return coordinate
+    size = length(coordinate)
+    return Pair(coordinate.x / size, coordinate.y / size)
+
 
 @dataclass(frozen=True)
 class Solved:
@@ -69,6 +80,9 @@ class Dyad(ABC):
     at the outer joint, ``carry`` gives the one at the inner joint with all rates, and ``frozen`` is the inner joint
     as it lies on the links at the outer joints in the present pose, which is all that the position needs.
 
+    With ``nearest``, a group that can't close is placed where it comes nearest to closing: what is under its root
+    counts as 0, and the inner joint stays open.
+
     ``signature`` is outer, inner, outer joint; ``rules`` the ways in which a file states branch +1, and those for
     -1, by the names of the ``first`` and ``second`` outer joints and the ``inner`` one; none where there is one
     assembly mode only.
@@ -87,9 +101,10 @@ class Dyad(ABC):
         second: Outer,
         carry: tuple[Carry, Carry] = (_itself, _itself),
         frozen: LowerPair | None = None,
+        nearest: bool = False,
     ) -> None:
         self.first, self.joint, self.second, self.carry = first, inner, second, carry
-        self.inner = frozen or inner
+        self.inner, self.nearest = frozen or inner, nearest
 
     @abstractmethod
     def root(self, branch: Scalar) -> Root:
@@ -114,7 +129,7 @@ class Dyad(ABC):
 
     def solve(self, branch: Scalar, order: int) -> Solved:
         """Position in closed form, then each rate from the closure differentiated once more (linear in it)."""
-        root = self.root(branch)
+        root = self.root(branch).of_unit_length() if self.nearest else self.root(branch)
         rates: tuple[list[Scalar], list[Scalar]] = ([], [])
         a, b = self.place(root.first, rates[0]), self.place(root.second, rates[1], second=True)
         twists = self.first.twist(a), self.second.twist(b)
@@ -188,8 +203,11 @@ def _solve(m: Slopes, inverse: Scalar, right: list[Scalar]) -> tuple[Scalar, Sca
     return (d * right[0] - b * right[1]) * inverse, (a * right[1] - c * right[0]) * inverse
 
 
-def root_of(radicand: Scalar, scale: Scalar) -> Scalar:
-    """The square root; on plain numbers 0 where round-off alone makes the radicand negative, against its ``scale``."""
+def root_of(radicand: Scalar, scale: Scalar, nearest: bool = False) -> Scalar:
+    """The square root; on plain numbers 0 where round-off alone makes the radicand negative, against its ``scale``;
+    with ``nearest`` 0 wherever it is negative."""
+    if nearest:
+        return call("sqrt", call("fmax", radicand, 0.0))
     if isinstance(radicand, float) and -SLACK * scale < radicand < 0:
         return 0.0
     return call("sqrt", radicand)

@@ -24,7 +24,7 @@ class RPR(Dyad):
         base = second.base.now.minus(first.base.now)
         square = base.dot(base)
         radicand = square - across * across
-        along = branch * root_of(radicand, square)
+        along = branch * root_of(radicand, square, self.nearest)
         # The base vector is (along, across) in the line's frame: the line's direction follows.
         heading = Pair((along * base.x + across * base.y) / square, (along * base.y - across * base.x) / square)
         return Root(

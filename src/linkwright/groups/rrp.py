@@ -22,7 +22,7 @@ class RRP(Dyad):
         d = slide.direction.now
         behind, aside = self._start()
         radicand = square - aside * aside
-        ahead = branch * root_of(radicand, square)
+        ahead = branch * root_of(radicand, square, self.nearest)
         to_pin = Pair(ahead * d.x - aside * d.y, ahead * d.y + aside * d.x)
         return Root(pointing(to_pin, arm), ahead - behind, radicand / square)
 

@@ -30,7 +30,7 @@ class RRR(Dyad):
         along1 = 0.5 * (r1 + (d - l2) * (d + l2)) / square
         along2 = 0.5 * (r2 + (d - l1) * (d + l1)) / square
         heron = (l1 + l2 + d) * (l1 + l2 - d) * (d - l1 + l2) * (d + l1 - l2)
-        aside = branch * 0.5 * root_of(heron, (l1 + l2) ** 4) / square
+        aside = branch * 0.5 * root_of(heron, (l1 + l2) ** 4, self.nearest) / square
         to_pin = Pair(along1 * base.x - aside * base.y, along1 * base.y + aside * base.x)
         back = Pair(-along2 * base.x - aside * base.y, -along2 * base.y + aside * base.x)
         return Root(pointing(to_pin, arm1), pointing(back, arm2), 0.25 * heron / (square * (r1 + r2)))

@@ -29,8 +29,9 @@ from linkwright.model.values import CONSTANT
 from linkwright.model.walk import QuantityPlace
 
 
-def derived_parameters(quantities: Quantities) -> Program:
-    """The program of all parameters (SI): its inputs are those that depend on no other."""
+def derived_parameters(quantities: Quantities, tangents: bool = False) -> Program:
+    """The program of all parameters (SI): its inputs are those that depend on no other. With ``tangents`` that of their
+    derivatives along a direction, whose entries are further inputs."""
     names, parts = tuple(quantities.parameters), quantities.mechanism.parameters
     free = tuple(name for name in names if not names_in(parts[name].value.node) & {*names})
     x = ca.SX.sym("x", len(free))
@@ -39,8 +40,12 @@ def derived_parameters(quantities: Quantities) -> Program:
         if name not in known:
             node = quantities.bind(parts[name].value, quantities.dimensions.of(name))
             known[name] = ca.SX(evaluate(node, lambda other: known[other.text]))
-    stage = ExpressionStage.from_rows(x, ca.SX(0, 1), [known[name] for name in names])
-    return Program((), stage, free, (), names)
+    rows = [known[name] for name in names]
+    if tangents:
+        along = ca.SX.sym("direction", len(free))
+        rows = ca.vertsplit(ca.jtimes(ca.vertcat(*rows), x, along)) if names else []
+        x, free = ca.vertcat(x, along), (*free, *(f"d({name})" for name in free))
+    return Program((), ExpressionStage.from_rows(x, ca.SX(0, 1), rows), free, (), names)
 
 
 def locked_parameters(compiled: Compiled, free: Iterable[str]) -> dict[str, Finding]:
@@ -57,7 +62,8 @@ def locked_parameters(compiled: Compiled, free: Iterable[str]) -> dict[str, Find
         varying = dependent(compiled.quantities, frozenset([name]))
         for path, names in fixed.items():
             if varying & names:
-                found.setdefault(name, Finding("varied.locked", path, {"name": name, "where": path[1]}, severity="note"))
+                why = Finding("varied.locked", path, {"name": name, "where": path[1]}, severity="note")
+                found.setdefault(name, why)
     return found
 
 

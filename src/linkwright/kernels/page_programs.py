@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from linkwright.findings import Finding
 from linkwright.graph.program import Program
 from linkwright.graph.rows import Named, ReachRow, reaches
+from linkwright.graph.tangent import tangent
 from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.javascript_source import javascript_array
 from linkwright.kernels.page_inputs import (
@@ -71,6 +72,18 @@ class PagePrograms:
         return reaches(self.compiled.structure)
 
     @cached_property
+    def points(self) -> tuple[str, ...]:
+        """All points of links and of the frame: those that a reader may drag."""
+        return tuple(self.compiled.quantities.signals.links_of_points)
+
+    @cached_property
+    def dragged(self) -> Program:
+        """The places of all points and the reaches, each with its derivative along a direction of the parameters and
+        the drives."""
+        places = [f"{point}.{axis}" for point in self.points for axis in "xy"]
+        return tangent(self.compiled.graph, [*places, *self.reaches])
+
+    @cached_property
     def programs(self) -> dict[str, list[Program]]:
         """All programs, by what they are for."""
         compiled, supply = self.compiled, self.compiled.supply
@@ -86,6 +99,9 @@ class PagePrograms:
             "lookups": [kernel.program for _, kernel in supply.levels],
             "ratios": [ratio_program(compiled, self.locked)] if supply.followers and max(used) >= supply.first else [],
             "signals": [self.signals],
+            "nearest": [graph.nearest_poses],
+            "dragged": [self.dragged],
+            "slopes": [derived_parameters(compiled.quantities, tangents=True)],
         }
 
     def code(self) -> str:
@@ -141,6 +157,8 @@ class PagePrograms:
                 [rows[f"total/{name}"], law.total] for name, law in supply.followers.items() if f"total/{name}" in rows
             ],
             "outputs": len(self.rows),
+            "points": list(self.points),
+            "links": list(compiled.structure.topology.moving),
             "looked_at": [len(kind) for kind in numbers_looked_at(compiled.quantities)],
         }
 

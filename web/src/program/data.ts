@@ -33,7 +33,17 @@ export interface Lookup {
 
 /** How many programs there are of each kind, in the order of the array of programs. */
 export type Counts = Record<
-  "derived" | "constants" | "laws" | "closures" | "turns" | "lookups" | "ratios" | "signals",
+  | "derived"
+  | "constants"
+  | "laws"
+  | "closures"
+  | "turns"
+  | "lookups"
+  | "ratios"
+  | "signals"
+  | "nearest"
+  | "dragged"
+  | "slopes",
   number
 >;
 
@@ -59,6 +69,9 @@ export interface ProgramData {
   ratios: { rows: [number, number]; motor: number }[];
   totals: [number, number][];
   outputs: number;
+  /** The points that may be dragged, and the links whose poses are known, by name. */
+  points: string[];
+  links: string[];
   /** How many numbers must be positive, how many not negative, how many finite. */
   looked_at: [number, number, number];
 }

@@ -118,6 +118,15 @@ export class HigherGroups {
     this.look(place);
   }
 
+  /** Where the groups stand, to come back to. */
+  kept(): Float64Array[] {
+    return this.u.map((u) => u.slice());
+  }
+
+  restore(kept: readonly Float64Array[]): void {
+    this.u = kept.map((u) => u.slice());
+  }
+
   /** Put the coordinates into a pose's inputs. */
   fill(x: Float64Array): void {
     this.closures.forEach((closure, k) => closure.put(this.u[k]!, x));

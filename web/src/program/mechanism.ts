@@ -3,6 +3,7 @@
 import { MAX_TURN, wholeTurns, wrapped } from "./angles.ts";
 import type { Program, ProgramData } from "./data.ts";
 import { HigherGroups, PATIENCE } from "./higher_groups.ts";
+import { Pose } from "./pose.ts";
 import { answer } from "./tables.ts";
 
 /** Why and from which pose on a mechanism has no motion: a `parameter` without a value, a `number` that must not be
@@ -24,6 +25,8 @@ export interface Motion {
 
 const sum = (numbers: readonly number[]): number => numbers.reduce((total, each) => total + each, 0);
 
+/** Kinds of programs with other parameters than all the others. */
+const OWN_PARAMETERS = new Set(["derived", "slopes", "dragged"]);
 const STEEPEST = 12; // halvings of a stretch between two times while a turning angle is followed
 
 export class Mechanism {
@@ -61,8 +64,15 @@ export class Mechanism {
     return this.p;
   }
 
-  private only(kind: string): Program {
+  only(kind: keyof ProgramData["programs"]): Program {
     return this.kinds[kind]![0]!;
+  }
+
+  /** The mechanism at one time (s), whose parameters may be moved; null where it can't be assembled. */
+  posed(free: ArrayLike<number>, time: number): Pose | null {
+    const parameters = this.derived(free).slice();
+    if (this.data.higher.length && !this.followed(parameters, [time])) return null;
+    return new Pose(this, this.higher, free, time);
   }
 
   /** All signals at some values of the free parameters, in their order. */
@@ -97,9 +107,9 @@ export class Mechanism {
   }
 
   /** Let all programs know the parameters. */
-  private tell(parameters: Float64Array): void {
+  tell(parameters: Float64Array): void {
     for (const [kind, programs] of Object.entries(this.kinds)) {
-      if (kind !== "derived") for (const program of programs) program.parameters(parameters);
+      if (!OWN_PARAMETERS.has(kind)) for (const program of programs) program.parameters(parameters);
     }
   }
 
@@ -109,7 +119,7 @@ export class Mechanism {
   }
 
   /** Drives and branches of a pose at a time. */
-  private readonly drive = (time: number, x: Float64Array): void => {
+  readonly drive = (time: number, x: Float64Array): void => {
     this.only("laws").pose([time], this.laws);
     x.set(this.laws);
     x.set(this.data.branches, this.laws.length);
@@ -121,23 +131,31 @@ export class Mechanism {
   private place(parameters: Float64Array): number {
     this.times.forEach((time, k) => this.drive(time, this.poses[k]!));
     if (!this.data.higher.length) return this.times.length;
-    const laws = this.only("laws");
+    let lost = this.times.length;
+    this.followed(parameters, this.times, (k, known) => {
+      if (!known) lost = Math.min(lost, k);
+      this.higher.fill(this.poses[k]!);
+    });
+    return lost;
+  }
+
+  /** Follow the higher groups from the nominal start, in the parameters and then from time to time; whether they are
+   * known at the last one. */
+  private followed(parameters: Float64Array, times: readonly number[], at?: (k: number, known: boolean) => void): boolean {
     const homotopy = (share: number, x: Float64Array): void => {
-      const there = share < 1 ? parameters.map((goal, i) => this.nominal[i]! + share * (goal - this.nominal[i]!)) : parameters;
-      laws.parameters(there);
-      for (const closure of this.kinds["closures"]!) closure.parameters(there);
+      const { nominal } = this;
+      this.tell(share < 1 ? parameters.map((goal, i) => nominal[i]! + share * (goal - nominal[i]!)) : parameters);
       this.drive(0, x);
     };
-    const begun = this.higher.begin(homotopy);
+    let known = this.higher.begin(homotopy);
     this.tell(parameters);
-    if (begun) this.higher.restart(this.drive);
-    const least = PATIENCE * Math.max(...this.times);
-    let lost = this.times.length;
-    for (const [k, time] of this.times.entries()) {
-      if (!this.higher.advance(this.drive, time, least)) lost = Math.min(lost, k);
-      this.higher.fill(this.poses[k]!);
+    if (known) this.higher.restart(this.drive);
+    const least = PATIENCE * Math.max(...times);
+    for (const [k, time] of times.entries()) {
+      known = this.higher.advance(this.drive, time, least);
+      at?.(k, known);
     }
-    return lost;
+    return known;
   }
 
   /** The whole turns of angles that axes tell but for these: each runs on without jumps from the first time. */
