@@ -21,7 +21,8 @@ export const STYLE = `
 :is([data-theme="light"],[data-jp-theme-light="true"]) .lw{${LIGHT}}
 @media print{.lw.lw.lw{${LIGHT}}}
 ${COLOURS}
-.lw{color:var(--lw-ink);font:14px/1.4 system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue",Arial,"PingFang SC","Microsoft YaHei","Noto Sans CJK SC","Source Han Sans SC",sans-serif}
+.lw{color:var(--lw-ink);font:14px/1.4 system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue",Arial,
+  "PingFang SC","Microsoft YaHei","Noto Sans CJK SC","Source Han Sans SC",sans-serif}
 .lw *{box-sizing:border-box}
 .lw svg.lw-drawing{display:block;width:100%;height:auto;background:var(--lw-paper);border-radius:6px}
 .lw-drawing text{font-size:12px;fill:var(--lw-muted)}
@@ -49,7 +50,8 @@ ${COLOURS}
 .lw-centrode circle{fill:none;stroke:var(--c);stroke-width:2}
 .lw-pin{fill:var(--lw-paper);stroke:var(--lw-ink);stroke-width:1.7}
 .lw-point{fill:var(--c)}
-.lw-drawing .lw-label{fill:var(--lw-ink);font-weight:600;paint-order:stroke;stroke:var(--lw-paper);stroke-width:3px;stroke-linejoin:round}
+.lw-drawing .lw-label{fill:var(--lw-ink);font-weight:600;paint-order:stroke;stroke:var(--lw-paper);
+  stroke-width:3px;stroke-linejoin:round}
 .lw-drawing .lw-name{fill:var(--c);font-weight:400}
 .lw-drawing .lw-name.lw-slanted{font-style:italic}
 .lw-drawing .lw-note{fill:var(--lw-warn);font-size:14px;font-weight:600}
@@ -59,7 +61,8 @@ ${COLOURS}
 .lw-options label{display:inline-flex;align-items:center;gap:.35rem;cursor:pointer}
 .lw-options .lw-paths{display:inline-flex;gap:.2rem .8rem;flex-wrap:wrap;align-items:center}
 .lw-swatch{width:16px;height:3px;border-radius:2px;background:var(--c)}
-.lw-play{flex:none;width:38px;height:38px;padding:0;border:0;border-radius:50%;background:var(--lw-accent);cursor:pointer}
+.lw-play{flex:none;width:38px;height:38px;padding:0;border:0;border-radius:50%;background:var(--lw-accent);
+  cursor:pointer}
 .lw-play svg{display:block;width:100%;height:100%;fill:var(--lw-paper)}
 .lw-play[aria-pressed="true"] .lw-icon-play,.lw-play[aria-pressed="false"] .lw-icon-pause{display:none}
 .lw-track{position:relative;flex:1 1 8rem;min-width:7rem}
@@ -67,6 +70,7 @@ ${COLOURS}
 .lw-gaps{position:relative;height:3px;margin:0 8px}
 .lw-gaps i{position:absolute;top:0;height:3px;min-width:3px;background:var(--lw-warn)}
 .lw-time{flex:none;font-variant-numeric:tabular-nums;text-align:right;white-space:nowrap}
-.lw select{font:inherit;color:inherit;background:var(--lw-paper);border:1px solid var(--lw-line);border-radius:4px;padding:2px 4px}
+.lw select{font:inherit;color:inherit;background:var(--lw-paper);border:1px solid var(--lw-line);
+  border-radius:4px;padding:2px 4px}
 .lw :is(button,input,select):focus-visible{outline:2px solid var(--lw-accent);outline-offset:2px}
 `;

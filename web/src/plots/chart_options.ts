@@ -7,7 +7,8 @@ import { type Colour, colourName, dash } from "./looks.ts";
 
 const MOUSE = ["mousedown", "mouseup", "mousemove", "mouseleave", "mouseenter", "click", "dblclick"] as const;
 const FONTS =
-  'system-ui, -apple-system, "Segoe UI", Roboto, Arial, "PingFang SC", "Microsoft YaHei", "Noto Sans CJK SC", sans-serif';
+  'system-ui, -apple-system, "Segoe UI", Roboto, Arial, ' +
+  '"PingFang SC", "Microsoft YaHei", "Noto Sans CJK SC", sans-serif';
 
 /** What all plots of a page share. */
 export interface Shared {

@@ -27,7 +27,10 @@ export interface Charts {
 }
 
 /** A plot in each box, which says by data-plot which. */
-export function charts(boxes: Iterable<HTMLElement>, { plots, labels, drawing, whole, ...shared }: ChartsOptions): Charts {
+export function charts(
+  boxes: Iterable<HTMLElement>,
+  { plots, labels, drawing, whole, ...shared }: ChartsOptions,
+): Charts {
   const times = shared.time.values;
   const made = new Map<Element, Chart>(); // by figure and by area
   const inSight = new Set<Chart>();
