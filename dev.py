@@ -7,7 +7,8 @@
     python3 dev.py test [options]       the tests (pytest's options)
     python3 dev.py lint                 ruff check, ruff format --check, mypy
     python3 dev.py smoke [names]        examples, and the snippets of README.md and docs/
-    python3 dev.py all                  what CI does: lint, smoke, test
+    python3 dev.py web [--check]        the pages' scripts from web/: built, or checked against their sources
+    python3 dev.py all                  what CI does: lint, web --check, smoke, test
     python3 dev.py bench [options]      benchmarks/run.py; with a FILE, linkwright's own bench of its kernels
 
 The environment is .venv beside this file, or the folder that LINKWRIGHT_VENV names. The
@@ -204,6 +205,10 @@ def smoke(arguments: list[str]) -> int:
     return run("tools/smoke.py", *arguments, cwd=ROOT)
 
 
+def web(arguments: list[str], said: IO[str] | None = None) -> int:
+    return run("tools/web.py", *arguments, cwd=ROOT, said=said)
+
+
 def bench(arguments: list[str]) -> int:
     if any(argument.endswith((".yaml", ".yml")) for argument in arguments):
         return linkwright(["bench", *arguments])
@@ -213,16 +218,17 @@ def bench(arguments: list[str]) -> int:
 def everything(arguments: list[str]) -> int:
     """All of it, also after a failure; the tests last, so that their summary closes the output.
 
-    mypy keeps one core busy: smoke runs beside it, and lint has its say afterwards.
+    mypy keeps one core busy: smoke runs beside it, and lint and web have their say afterwards.
     """
     codes = {}
     with tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as said, ThreadPoolExecutor(1) as beside:
         linted = beside.submit(lint, [], said)
+        checked = beside.submit(web, ["--check"], said)
         print("--- smoke", flush=True)
         codes["smoke"] = smoke([])
-        codes["lint"] = linted.result()
+        codes["lint"], codes["web"] = linted.result(), checked.result()
         said.seek(0)
-        print(f"--- lint\n{said.read()}--- test", flush=True)
+        print(f"--- lint, web\n{said.read()}--- test", flush=True)
     codes["test"] = test([])
     failed = [name for name, code in codes.items() if code]
     if failed:
@@ -238,6 +244,7 @@ TASKS: dict[str, tuple[Callable[[list[str]], int], set[str]]] = {
     "test": (test, {BASE, "test"}),
     "lint": (lint, {BASE, "dev"}),
     "smoke": (smoke, {BASE, "test"}),
+    "web": (web, {BASE, "test"}),
     "bench": (bench, {BASE, "test"}),
     "all": (everything, {BASE, "dev", "test"}),
 }

@@ -228,10 +228,11 @@ def test_an_old_python_can_read_the_file_as_far_as_the_message() -> None:
 
 
 @pytest.mark.parametrize("code", [0, 1, 2, 5, 77])
-@pytest.mark.parametrize("task", ["run", "check", "test", "lint", "smoke", "bench", "all"])
+@pytest.mark.parametrize("task", ["run", "check", "test", "lint", "smoke", "web", "bench", "all"])
 def test_exit_codes_are_passed_on(dev: ModuleType, machine: Machine, task: str, code: int) -> None:
     dev.ensure({"base", "dev", "test"})
-    machine.answers = dict.fromkeys(["linkwright", "pytest", "mypy", "tools/smoke.py", "benchmarks/run.py"], code)
+    commands = ["linkwright", "pytest", "mypy", "tools/smoke.py", "tools/web.py", "benchmarks/run.py"]
+    machine.answers = dict.fromkeys(commands, code)
     assert dev.main([task]) == code
 
 
@@ -255,7 +256,8 @@ def test_all_goes_on_after_a_failure_and_names_it(
 ) -> None:
     machine.answers = {"ruff": 3}
     assert dev.main(["all"]) == 3
-    assert [call[1] for call in machine.calls].count("tools/smoke.py") == 1
+    for done in (["tools/smoke.py"], ["tools/web.py", "--check"]):
+        assert [call[1:] for call in machine.calls].count(done) == 1
     assert machine.calls[-1][1:] == ["-m", "pytest", "-n", "auto", "--dist", "worksteal"]
     assert capfd.readouterr().out.splitlines()[-1] == "failed: lint"
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import shutil
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache
@@ -15,6 +13,7 @@ import numpy as np
 import pytest
 
 from helpers.accuracies import outcome
+from helpers.browsers import chromium
 from helpers.workspaces import five_bar, performed
 from linkwright.presentation.blocks import Chart, Charts, Copied, Measures, Section, Table
 from linkwright.report import ReportData, Scene, page
@@ -25,33 +24,12 @@ from linkwright.words import in_language
 pytestmark = pytest.mark.browser
 sync_api = pytest.importorskip("playwright.sync_api")
 
-FLAGS = [
-    "--headless",
-    "--no-sandbox",
-    "--disable-gpu",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-]
 HOSTILE = "</script><img src=x onerror=\"document.title='owned'\">"
-
-
-def chromium() -> str | None:
-    names = ("chromium", "chromium-browser", "google-chrome")
-    return os.environ.get("LINKWRIGHT_CHROMIUM") or next(filter(None, map(shutil.which, names)), None)
 
 
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Any]:
-    path = chromium()
-    if path is None:
-        pytest.skip("no Chromium on this machine (set LINKWRIGHT_CHROMIUM to one)")
-    with sync_api.sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=path, args=FLAGS)
-        yield browser
-        browser.close()
+    yield from chromium()
 
 
 class Opened:

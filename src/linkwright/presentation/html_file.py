@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from importlib.resources import files
 from typing import Any
 
@@ -10,16 +10,16 @@ from linkwright import _version
 from linkwright.escape import markup
 from linkwright.findings import Said
 from linkwright.presentation.languages import in_all_languages
-
-# The browser itself is told to load nothing, so that the file stays self-contained whatever is put into it.
-POLICY = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:"
+from linkwright.presentation.payload import data_block
+from linkwright.presentation.scripts import built, element, policy
 
 
 def html_file(
     title: object,
     body: Callable[[], str],
     *,
-    scripts: str = "",
+    data: object = None,
+    scripts: Sequence[str] = (),
     words: Callable[[], Any] = dict,
     style: str = "",
     before: str = "",
@@ -27,16 +27,20 @@ def html_file(
 ) -> str:
     """The text of an HTML file (UTF-8) with the style of all pages, in all languages, the present one first.
 
-    ``title`` becomes plain text and ``body`` gives markup in the language of the moment; ``scripts`` is markup that
-    follows, and finds ``words`` as ``linkwrightWords``. ``style`` stands after the common one, ``before`` before it;
-    ``kind`` is the body's class.
+    ``title`` becomes plain text and ``body`` gives markup in the language of the moment. ``scripts`` are those that
+    follow, the only ones that run beside the choice of languages; they find ``data`` in the element of that id, and
+    ``words`` as ``linkwrightWords``. ``style`` stands after the common one, ``before`` before it; ``kind`` is the
+    body's class.
     """
+    scripts = (built(__package__, "assets/languages.js"), *scripts)
+    blocks = [*([] if data is None else [data_block("data", data)]), *map(element, scripts)]
+    lines = "\n".join(blocks)
     of_kind = f' class="{kind}"' if kind else ""
     return f"""<!DOCTYPE html>
 <html lang="{Said("language.tag")}">
 <head>
 <meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="{POLICY}">
+<meta http-equiv="Content-Security-Policy" content="{policy(scripts)}">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
 <meta name="generator" content="linkwright {markup(_version.__version__)}">
@@ -48,7 +52,7 @@ def html_file(
 </head>
 <body{of_kind}>
 {in_all_languages(title, body, words)}
-{scripts}
+{lines}
 </body>
 </html>
 """

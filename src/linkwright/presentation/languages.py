@@ -1,8 +1,8 @@
 """A page in all languages: rendered in each, written in the present one with what the others say instead.
 
 Two languages differ in texts and attributes; an element whose own elements differ (a title in two lines in place of
-one) is replaced as a whole. Where ``?lang=TAG`` stands behind the address of a page, its own script does all that
-before anything else looks at it.
+one) is replaced as a whole. Where ``?lang=TAG`` stands behind the address of a page, its own script
+(``web/src/panels/languages.ts``) does all that before anything else looks at it.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import Any
 
 from linkwright.escape import markup, unmarked
 from linkwright.findings import Said
-from linkwright.presentation.payload import script_json
+from linkwright.presentation.payload import data_block
 from linkwright.words import LANGUAGES, in_language, language
 
 _TAG = re.compile(r"<[^>]*>")
@@ -27,45 +27,6 @@ Pairs = list[tuple[str, str]]
 Replaced = Mapping[str, str | Sequence[str | None]]
 """By a text as it stands what is written instead: everywhere, or at each of its places in their order (``None``: it
 stays)."""
-
-SCRIPT = """
-{
-  const languages = JSON.parse(document.getElementById("languages").textContent);
-  const tag = new URLSearchParams(location.search).get("lang");
-  const other = languages.others[tag];
-  const seen = new Map();
-  // What stands for a text: one that is replaced at some of its places only has a list of them.
-  const replacement = (kind, texts, text) => {
-    const found = Object.hasOwn(texts, text) ? texts[text] : undefined;
-    if (!Array.isArray(found)) return found ?? null;
-    const place = `${kind} ${text}`;
-    seen.set(place, (seen.get(place) ?? -1) + 1);
-    return found[seen.get(place)] ?? null;
-  };
-  if (other) {
-    document.documentElement.lang = tag;
-    document.title = other.title;
-    document.querySelector("nav.languages").ariaLabel = other.choice;
-    for (const [place, inside] of Object.entries(other.inside))
-      document.querySelector(`[data-place="${place}"]`).innerHTML = inside;
-    const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
-    while (walker.nextNode()) {
-      const node = walker.currentNode;
-      const text = node.parentNode.localName === "script" ? null : replacement("", other.texts, node.data);
-      if (text !== null) node.data = text;
-    }
-    for (const [name, texts] of Object.entries(other.attributes))
-      for (const element of document.body.querySelectorAll(`[${CSS.escape(name)}]`)) {
-        const text = replacement(name, texts, element.getAttribute(name));
-        if (text !== null) element.setAttribute(name, text);
-      }
-  }
-  globalThis.linkwrightWords = other ? other.words : languages.words;
-  for (const link of document.querySelectorAll("nav.languages a"))
-    if (link.lang === document.documentElement.lang) link.setAttribute("aria-current", "true");
-  document.querySelector("nav.languages").hidden = false;
-}
-"""
 
 
 @dataclass
@@ -131,7 +92,7 @@ class Differences:
 
 
 def in_all_languages(title: object, body: Callable[[], str], words: Callable[[], Any]) -> str:
-    """The body in the present language, below a choice of languages, with the script of the choice.
+    """The body in the present language, below a choice of languages, with what the script of the choice reads.
 
     ``title`` and what ``body`` gives become texts in the language of the moment. ``words`` are those of the page's
     other scripts, which find them as ``linkwrightWords``.
@@ -158,11 +119,8 @@ def in_all_languages(title: object, body: Callable[[], str], words: Callable[[],
     for place in sorted(places, reverse=True):
         here = f'{here[: place - 1]} data-place="{place}"{here[place - 1 :]}'
     label = markup(Said("language.choice"))
-    data = script_json({"words": words(), "others": others})
-    return (
-        f'<nav class="languages screen" aria-label="{label}" hidden>{"".join(choice)}</nav>\n{here}\n'
-        f'<script type="application/json" id="languages">{data}</script>\n<script>{SCRIPT}</script>'
-    )
+    nav = f'<nav class="languages screen" aria-label="{label}" hidden>{"".join(choice)}</nav>'
+    return f"{nav}\n{here}\n{data_block('languages', {'words': words(), 'others': others})}"
 
 
 def replacements(pairs: Pairs) -> Replaced:

@@ -33,3 +33,8 @@ def compact(value: object) -> object:
 def script_json(value: object) -> str:
     """JSON text that is safe inside a script element."""
     return script(json.dumps(compact(value), ensure_ascii=False, allow_nan=False, separators=(",", ":")))
+
+
+def data_block(name: str, value: object) -> str:
+    """Data as an element of a page by its id: text for the page's scripts, no script itself."""
+    return f'<script type="application/json" id="{name}">{script_json(value)}</script>'

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from functools import partial
 
 from linkwright.drawing.charts import named
 from linkwright.findings import Joined, Term, Text
 from linkwright.presentation.html_file import asset, html_file
-from linkwright.presentation.payload import script_json
+from linkwright.presentation.scripts import built
 from linkwright.report import sections
 from linkwright.report.data import Plot, ReportData
 from linkwright.report.html_blocks import section
@@ -33,24 +32,14 @@ SCRIPT_WORDS = (
 
 def page(data: ReportData) -> str:
     """The whole report as the text of an HTML file (UTF-8)."""
-    payload = script_json({"time": data["time"], "scene": data["scene"], "plots": data["plots"]})
-    scripts = f"""<script type="application/json" id="data">{payload}</script>
-<script>
-/*! uPlot
-{asset(__package__, "LICENSE.uplot.txt").strip()}
-*/
-{asset(__package__, "uplot.iife.min.js")}
-</script>
-<script type="module">
-const mechanism = (() => {{
-{_inlined(asset(__package__, "mechanism.js"))}
-return {{ render, still }};
-}})();
-{asset(__package__, "report.js")}
-{asset(__package__, "stacks.js")}
-</script>"""
-    before = asset(__package__, "uplot.min.css") + "\n"
-    return html_file(data["title"], partial(_body, data), scripts=scripts, words=partial(_words, data), before=before)
+    return html_file(
+        data["title"],
+        partial(_body, data),
+        data={"time": data["time"], "scene": data["scene"], "plots": data["plots"]},
+        scripts=[f"/*! uPlot\n{asset(__package__, 'LICENSE.uplot.txt').strip()}\n*/\n{_built('report.js')}"],
+        words=partial(_words, data),
+        before=_built("uplot.min.css") + "\n",
+    )
 
 
 def _body(data: ReportData) -> str:
@@ -91,7 +80,5 @@ def _label(plot: Plot) -> Text:
     return Term("colon", first=named(plot["title"], plot["unit"]), then=names)
 
 
-def _inlined(module: str) -> str:
-    """A module's source as the inside of a function: a page opened from disk may not import files."""
-    without_default = re.sub(r"^export default .*$", "", module, flags=re.MULTILINE)
-    return re.sub(r"^export (?=function|const)", "", without_default, flags=re.MULTILINE)
+def _built(name: str) -> str:
+    return built(__package__, f"assets/{name}")

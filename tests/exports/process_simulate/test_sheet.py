@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import html
-import os
 import re
-import shutil
 from collections.abc import Iterator
 from itertools import combinations
 from pathlib import Path
@@ -14,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from helpers.browsers import chromium
 from linkwright.compilation import compile_mechanism
 from linkwright.exports.process_simulate.facts import Facts, facts
 from linkwright.exports.process_simulate.functions import JointFunctions, make
@@ -119,20 +118,9 @@ def test_names_of_a_file_can_t_break_the_page() -> None:
     assert page.count("<script>") == 2  # its own, and the choice of languages
 
 
-FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-sync"]
-
-
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Any]:
-    sync_api = pytest.importorskip("playwright.sync_api")
-    names = ("chromium", "chromium-browser", "google-chrome")
-    path = os.environ.get("LINKWRIGHT_CHROMIUM") or next(filter(None, map(shutil.which, names)), None)
-    if path is None:
-        pytest.skip("no Chromium on this machine (set LINKWRIGHT_CHROMIUM to one)")
-    with sync_api.sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=path, args=FLAGS)
-        yield browser
-        browser.close()
+    yield from chromium()
 
 
 @pytest.mark.browser

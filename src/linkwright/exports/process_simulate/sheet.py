@@ -22,6 +22,7 @@ from linkwright.findings import SENTENCES, Joined, Said
 from linkwright.kernels import Compiled
 from linkwright.presentation.blocks import Chart
 from linkwright.presentation.html_file import html_file
+from linkwright.presentation.scripts import built
 from linkwright.report.prose import prose
 from linkwright.words import say
 
@@ -30,23 +31,6 @@ Array = NDArray[np.float64]
 FAR = 0.5
 """How far from what is drawn an instant centre still is, over its size."""
 _UNITS = {"T": "rad", "D": "mm"}
-SCRIPT = """
-for (const button of document.querySelectorAll("button.copy")) {
-  button.hidden = false;
-  const said = button.textContent;
-  button.addEventListener("click", async () => {
-    const code = button.parentElement.querySelector("code");
-    try {
-      await navigator.clipboard.writeText(code.textContent);
-    } catch {
-      getSelection().selectAllChildren(code);
-      document.execCommand("copy");
-    }
-    button.textContent = button.dataset.done;
-    setTimeout(() => (button.textContent = said), 2000);
-  });
-}
-"""
 
 
 def sheet(compiled: Compiled, functions: JointFunctions, facts: HingeFacts) -> str:
@@ -54,7 +38,7 @@ def sheet(compiled: Compiled, functions: JointFunctions, facts: HingeFacts) -> s
     title = Said("sheet.title", name=compiled.mechanism.title)
     style = files(__package__).joinpath("sheet.css").read_text("utf-8")
     body = partial(_body, title, compiled, functions, facts)
-    return html_file(title, body, scripts=f"<script>{SCRIPT}</script>", style=style, kind="sheet")
+    return html_file(title, body, scripts=[built(__package__, "sheet.js")], style=style, kind="sheet")
 
 
 def _body(title: Said, compiled: Compiled, functions: JointFunctions, facts: HingeFacts) -> str:

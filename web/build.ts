@@ -1,0 +1,43 @@
+// Bundles what pages need, for `python3 dev.py web`: node build.ts FOLDER BANNER. Files lie below FOLDER as they do in
+// the package; each begins with BANNER, but for the licence of what is bundled.
+
+import { cp } from "node:fs/promises";
+import { join } from "node:path";
+import { type BuildOptions, build } from "esbuild";
+
+const [folder, banner] = process.argv.slice(2);
+if (folder === undefined || banner === undefined) throw new Error("usage: node build.ts FOLDER BANNER");
+
+const here = import.meta.dirname;
+const shared: BuildOptions = {
+  absWorkingDir: here,
+  bundle: true,
+  minify: true,
+  charset: "utf8",
+  target: "es2022",
+  legalComments: "none", // the report's page has the licence of what it contains
+  banner: { js: banner, css: banner },
+  logLevel: "warning",
+};
+
+/** A script of our own pages. */
+const page = (entry: string, outfile: string) =>
+  build({ ...shared, entryPoints: [`src/entry/${entry}.ts`], format: "iife", outfile: join(folder, outfile) });
+
+await Promise.all([
+  page("languages", "presentation/assets/languages.js"),
+  page("report", "report/assets/report.js"),
+  page("sheet", "exports/process_simulate/sheet.js"),
+  build({
+    ...shared,
+    entryPoints: ["src/entry/widget.ts"],
+    format: "esm",
+    outfile: join(folder, "report/assets/mechanism.js"),
+  }),
+  build({
+    ...shared,
+    entryPoints: ["uplot/dist/uPlot.min.css"],
+    outfile: join(folder, "report/assets/uplot.min.css"),
+  }),
+  cp(join(here, "node_modules/uplot/LICENSE"), join(folder, "report/assets/LICENSE.uplot.txt")),
+]);

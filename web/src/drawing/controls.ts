@@ -1,0 +1,114 @@
+// What stands below a drawing: play, the time's slider, speed, and what is to be seen.
+
+import type { TimeAxis } from "../scene/data.ts";
+import { html, svg } from "./elements.ts";
+import { SECONDS, speeds } from "./speeds.ts";
+import { colourOf, type Facts, PALETTE, traceColour } from "./survey.ts";
+import type { Say } from "./words.ts";
+
+export interface Controls {
+  readonly play: HTMLButtonElement;
+  readonly slider: HTMLInputElement;
+  readonly readout: HTMLOutputElement;
+  readonly speed: HTMLSelectElement;
+  readonly points: HTMLInputElement;
+  readonly links: HTMLInputElement;
+  readonly areas: readonly HTMLInputElement[];
+  readonly traces: readonly HTMLInputElement[];
+  readonly centrodes: readonly HTMLInputElement[];
+}
+
+export interface ControlOptions {
+  readonly say: Say;
+  readonly time: Pick<TimeAxis, "unit" | "label">;
+  /** How many seconds the motion takes in real time. */
+  readonly real: number;
+}
+
+export function controls(root: Element, facts: Facts, { say, time, real }: ControlOptions): Controls {
+  const bar = html("div", { class: "lw-bar" }, root);
+  const play = playButton(bar);
+  const slider = track(bar, facts, time.label, say);
+  const readout = html("output", { class: "lw-time", "aria-live": "off" }, bar);
+
+  const options = html("div", { class: "lw-options" }, root);
+  const speedLabel = html("label", {}, options, say("speed"));
+  const speed = speedChoice(speedLabel, real, SECONDS[time.unit] ? say("real_time") : null);
+  const points = check(options, say("point_names"));
+  const links = check(options, say("link_names"));
+  const areas = choices(
+    options,
+    say("areas"),
+    facts.areas.map(({ name }, i) => ({ name, colour: `lw-c${i % PALETTE}` })),
+  );
+  const traces = choices(
+    options,
+    say("paths"),
+    facts.scene.traces.map(({ name }, i) => ({ name, colour: traceColour(facts, i) })),
+  );
+  const centrodes = choices(
+    options,
+    say("centrodes"),
+    facts.centrodes.map(({ link }) => ({ name: link, colour: colourOf(facts, facts.links.get(link)!) })),
+    false,
+  );
+  const stands = facts.times.length < 2 || facts.times.at(-1) === facts.times[0];
+  if (stands) for (const part of [bar, speedLabel]) part.classList.add("lw-hidden");
+  return { play, slider, readout, speed, points, links, areas, traces, centrodes };
+}
+
+function playButton(parent: Element): HTMLButtonElement {
+  const play = html("button", { class: "lw-play", type: "button" }, parent);
+  const icons = svg("svg", { viewBox: "0 0 38 38", "aria-hidden": "true" }, play);
+  svg("path", { class: "lw-icon-play", d: "M15 11.5v15l12-7.5z" }, icons);
+  svg("path", { class: "lw-icon-pause", d: "M13 12h4v14h-4zM21 12h4v14h-4z" }, icons);
+  return play;
+}
+
+/** The time's slider, a step a sample, above marks of the stretches that can't be assembled. */
+function track(parent: Element, facts: Facts, label: string, say: Say): HTMLInputElement {
+  const box = html("div", { class: "lw-track" }, parent);
+  const last = facts.times.length - 1;
+  const slider = html("input", { type: "range", min: 0, max: last, step: 1, value: 0, "aria-label": label }, box);
+  const gaps = html("div", { class: "lw-gaps" }, box);
+  const share = (samples: number) => `${(samples / Math.max(last, 1)) * 100}%`;
+  facts.gaps.forEach((gap, i) => {
+    if (!gap || facts.gaps[i - 1]) return;
+    const end = facts.gaps.indexOf(false, i);
+    const width = (end < 0 ? last : end - 1) - i;
+    html("i", { style: `left:${share(i)};width:${share(width)}`, title: say("not_assembled") }, gaps);
+  });
+  return slider;
+}
+
+function speedChoice(parent: Element, real: number, realTime: string | null): HTMLSelectElement {
+  const speed = html("select", {}, parent);
+  const { usual, list } = speeds(real);
+  for (const factor of list) {
+    const text = factor === 1 && realTime !== null ? realTime : `× ${factor}`;
+    html("option", { value: factor }, speed, text).selected = factor === usual;
+  }
+  return speed;
+}
+
+/** A box to tick, before its label and, if there is one, a swatch of a colour. */
+function check(parent: Element, text: string, checked = true, colour: string | null = null): HTMLInputElement {
+  const label = html("label", {}, parent);
+  const box = html("input", { type: "checkbox" }, label);
+  box.checked = checked;
+  if (colour !== null) html("span", { class: `lw-swatch ${colour}` }, label);
+  label.append(text);
+  return box;
+}
+
+/** A group of boxes, one an entry. */
+function choices(
+  parent: Element,
+  title: string,
+  entries: readonly { readonly name: string; readonly colour: string }[],
+  checked = true,
+): HTMLInputElement[] {
+  const group = html("span", { class: "lw-paths", role: "group", "aria-label": title }, parent);
+  if (entries.length) html("span", {}, group, title);
+  return entries.map(({ name, colour }) => check(group, name, checked, colour));
+}

@@ -1,0 +1,19 @@
+// The box that holds a drawing, with its styles.
+
+import { html, svg } from "./elements.ts";
+import { STYLE } from "./styles.ts";
+import type { Say } from "./words.ts";
+
+export interface Frame {
+  readonly root: HTMLDivElement;
+  readonly drawing: SVGSVGElement;
+}
+
+/** An empty drawing in place of what is in `el`. */
+export function frame(el: Element, say: Say): Frame {
+  const root = html("div", { class: "lw" });
+  html("style", {}, root, STYLE);
+  const drawing = svg("svg", { class: "lw-drawing", role: "img", "aria-label": say("drawing") }, root);
+  el.replaceChildren(root);
+  return { root, drawing };
+}

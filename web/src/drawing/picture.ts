@@ -1,0 +1,63 @@
+// The whole drawing, layer upon layer.
+
+import { clamp } from "../scene/numbers.ts";
+import { backdrop } from "./backdrop.ts";
+import { bodies } from "./bodies.ts";
+import { shown, svg } from "./elements.ts";
+import { labels } from "./labels.ts";
+import { areas, centrodes, traces } from "./paths.ts";
+import { pinCircles } from "./pin_circles.ts";
+import { springs } from "./springs.ts";
+import type { Box, Facts } from "./survey.ts";
+import { fit, type Move } from "./view.ts";
+import type { Say } from "./words.ts";
+
+/** A drawing that `show` moves to sample k + f, with the groups that can be switched. */
+export interface Picture {
+  readonly show: Move;
+  readonly areas: readonly SVGGElement[];
+  readonly traces: readonly SVGGElement[];
+  readonly centrodes: readonly SVGGElement[];
+}
+
+export interface Size {
+  readonly width: number;
+  /** The most that it may be high. */
+  readonly most: number;
+  /** What of the world is to be seen, if not all the motion. */
+  readonly box?: Box;
+}
+
+/** Fills `root` anew. `ghosts`: samples drawn faintly. */
+export function draw(
+  root: SVGSVGElement,
+  facts: Facts,
+  { width, most, box }: Size,
+  say: Say,
+  ghosts: readonly number[] = [],
+): Picture {
+  const view = fit(facts, width, most, box);
+  const r = clamp(width / 90, 4.5, 7);
+  root.replaceChildren();
+  root.setAttribute("viewBox", `0 0 ${view.width} ${view.height}`);
+  backdrop(facts, view, svg("g", {}, root));
+  const behind = areas(facts, view, root);
+  for (const sample of ghosts) bodies(facts, view, r, svg("g", { class: "lw-ghost" }, root))(sample, 0);
+  const paths = traces(facts, view, root);
+  const rolling = centrodes(facts, view, root);
+  const moves = [
+    paths.move,
+    rolling.move,
+    bodies(facts, view, r, svg("g", {}, root)),
+    springs(facts, view, r, root),
+    pinCircles(facts, view, r, root),
+    labels(facts, view, r, svg("g", { class: "lw-labels" }, root)),
+  ];
+  const note = svg("text", { class: "lw-note", x: width / 2, y: 24, "text-anchor": "middle" }, root);
+  note.textContent = say("not_assembled");
+  const show: Move = (sample, f) => {
+    for (const move of moves) move(sample, f);
+    shown(note, Boolean(facts.gaps[sample] || (f && facts.gaps[sample + 1])));
+  };
+  return { show, areas: behind, traces: paths.groups, centrodes: rolling.groups };
+}

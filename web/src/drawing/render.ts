@@ -1,0 +1,149 @@
+// A mechanism as an animated SVG drawing, from plain scene data:
+//
+//   const drawing = render({ model: scene, el, words, time, autoplay });
+//   drawing.setTime(t); drawing.setIndex(i); drawing.on("time", (t, index) => ...); drawing.destroy();
+
+import type { Scene, Texts, TimeAxis } from "../scene/data.ts";
+import { clamp } from "../scene/numbers.ts";
+import { locate } from "../scene/times.ts";
+import { controls } from "./controls.ts";
+import { frame } from "./frame.ts";
+import { draw, type Picture } from "./picture.ts";
+import { playback } from "./playback.ts";
+import { SECONDS } from "./speeds.ts";
+import { survey } from "./survey.ts";
+import { speaker } from "./words.ts";
+
+export interface RenderOptions {
+  readonly model: Scene;
+  readonly el: Element;
+  /** Texts under "report.*" keys. */
+  readonly words?: Texts;
+  /** Unit and name of the scene's time. */
+  readonly time?: Pick<TimeAxis, "unit" | "label">;
+  /** Yields to a wish for reduced motion. */
+  readonly autoplay?: boolean;
+}
+
+export type Listener = (time: number, index: number) => void;
+
+/** A drawing on the page, as callers steer it. */
+export interface Drawing {
+  readonly playing: boolean;
+  readonly time: number;
+  play(): void;
+  pause(): void;
+  /** Setting a time or a sample ends the play. */
+  setTime(t: number): void;
+  setIndex(i: number): void;
+  /** Calls back when the time changes, until the function that it gives is called. */
+  on(event: "time", callback: Listener): () => void;
+  destroy(): void;
+}
+
+/** Draws the scene `model` into `el`, with play, speed and time controls. */
+export function render({
+  model,
+  el,
+  words = {},
+  time = { unit: "s", label: "time" },
+  autoplay = false,
+}: RenderOptions): Drawing {
+  const say = speaker(words);
+  const facts = survey(model);
+  const { times } = facts;
+  const [first, last] = [times[0]!, times.at(-1)!];
+  const second = SECONDS[time.unit];
+  const perSecond = second ? 1 / second : (last - first) / 4;
+  const { root, drawing } = frame(el, say);
+  const ui = controls(root, facts, { say, time, real: (last - first) / perSecond });
+  const decimals = clamp(1 - Math.floor(Math.log10((last - first) / (times.length - 1) || 1)), 0, 9);
+  const listeners = new Set<Listener>();
+  let picture: Picture;
+  let now = first;
+
+  const show = (): number => {
+    const { k, f, nearest } = locate(times, now);
+    picture.show(k, f);
+    const figure = now.toFixed(decimals);
+    ui.slider.value = String(nearest);
+    ui.readout.textContent = `${time.label} ${figure} ${time.unit}`.trim();
+    const note = facts.gaps[nearest] ? ` ${say("not_assembled")}` : "";
+    ui.slider.setAttribute("aria-valuetext", `${figure} ${time.unit}${note}`);
+    return nearest;
+  };
+  const goTo = (t: number): void => {
+    now = clamp(t, first, last);
+    const nearest = show();
+    for (const listener of listeners) listener(now, nearest);
+  };
+  const switches = (): void => {
+    drawing.classList.toggle("lw-no-points", !ui.points.checked);
+    drawing.classList.toggle("lw-no-links", !ui.links.checked);
+    for (const kind of ["areas", "traces", "centrodes"] as const) {
+      picture[kind].forEach((group, i) => group.classList.toggle("lw-hidden", !ui[kind][i]!.checked));
+    }
+  };
+  const layout = (): void => {
+    const width = Math.round(root.clientWidth) || 640;
+    const box = ui.centrodes.some((each) => each.checked) ? facts.wide : facts.box;
+    picture = draw(drawing, facts, { width, most: clamp(window.innerHeight * 0.66, 280, 720), box }, say);
+    switches();
+    show();
+  };
+  const frames = playback(
+    (seconds) => goTo(first + ((now - first + seconds * perSecond * Number(ui.speed.value)) % (last - first))),
+    (playing) => {
+      ui.play.setAttribute("aria-pressed", String(playing));
+      ui.play.setAttribute("aria-label", say(playing ? "pause" : "play"));
+    },
+  );
+  const play = (): void => {
+    if (last !== first) frames.start();
+  };
+  const pause = (): void => frames.stop();
+  const setTime = (t: number): void => {
+    pause();
+    goTo(t);
+  };
+  const setIndex = (i: number): void => setTime(times[clamp(Math.round(i), 0, times.length - 1)]!);
+
+  ui.play.addEventListener("click", () => (frames.running ? pause() : play()));
+  ui.slider.addEventListener("input", () => setIndex(Number(ui.slider.value)));
+  for (const box of [ui.points, ui.links, ...ui.areas, ...ui.traces]) box.addEventListener("change", switches);
+  for (const box of ui.centrodes) box.addEventListener("change", layout); // they may need more room
+  let width = 0;
+  const watcher = new ResizeObserver(() => {
+    if (!root.clientWidth || root.clientWidth === width) return;
+    width = root.clientWidth;
+    layout();
+  });
+  layout();
+  watcher.observe(root);
+  pause();
+  if (autoplay && !window.matchMedia("(prefers-reduced-motion: reduce)").matches) play();
+
+  return {
+    play,
+    pause,
+    setTime,
+    setIndex,
+    get playing() {
+      return frames.running;
+    },
+    get time() {
+      return now;
+    },
+    on(event, callback) {
+      if (event !== "time") throw new Error(`unknown event: ${event as string}`);
+      listeners.add(callback);
+      return () => listeners.delete(callback);
+    },
+    destroy() {
+      pause();
+      watcher.disconnect();
+      listeners.clear();
+      el.replaceChildren();
+    },
+  };
+}

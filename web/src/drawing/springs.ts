@@ -1,0 +1,50 @@
+// Springs between points of links.
+
+import type { Point, SpringLook } from "../scene/data.ts";
+import { shown, svg } from "./elements.ts";
+import { place, poseOf } from "./poses.ts";
+import type { Facts } from "./survey.ts";
+import type { Move, View } from "./view.ts";
+import { round } from "./written.ts";
+
+const TEETH = 12;
+
+/** `r`: how far a coil reaches to either side, in pixels. */
+export function springs(facts: Facts, view: View, r: number, parent: Element): Move {
+  const parts = (facts.scene.springs ?? []).map(({ name, look, links, points }) => {
+    const end = (i: 0 | 1) => {
+      const link = facts.links.get(links[i])!;
+      return { link, local: link.points[points[i]]! };
+    };
+    const path = svg("path", { class: "lw-spring", "data-spring": name }, parent);
+    return { path, look, from: end(0), to: end(1) };
+  });
+  return (sample, f) => {
+    for (const { path, look, from, to } of parts) {
+      const poses = [poseOf(from.link, facts.times, sample, f), poseOf(to.link, facts.times, sample, f)] as const;
+      const there = poses[0] !== null && poses[1] !== null;
+      shown(path, there);
+      if (!there) continue;
+      const start = view.toScreen(place(poses[0], from.local));
+      const stop = view.toScreen(place(poses[1], to.local));
+      path.setAttribute("d", springPath(start, stop, look, r));
+    }
+  };
+}
+
+/** A spring between two places on the screen: a coil, or the barrel and rod of a strut. */
+export function springPath([x0, y0]: Point, [x1, y1]: Point, look: SpringLook, r: number): string {
+  const length = Math.hypot(x1 - x0, y1 - y0) || 1;
+  const [ux, uy] = [(x1 - x0) / length, (y1 - y0) / length];
+  const at = (share: number, across: number): string => {
+    const along = share * length;
+    return `${round(x0 + along * ux - across * uy)} ${round(y0 + along * uy + across * ux)}`;
+  };
+  if (look === "strut") {
+    const w = 0.7 * r;
+    const barrel = `M${at(0.1, -w)}L${at(0.6, -w)}L${at(0.6, w)}L${at(0.1, w)}Z`;
+    return `M${at(0, 0)}L${at(0.1, 0)}${barrel}M${at(0.6, 0)}L${at(1, 0)}`;
+  }
+  const coil = Array.from({ length: TEETH }, (_, i) => `L${at(0.15 + (0.7 * (i + 0.5)) / TEETH, i % 2 ? r : -r)}`);
+  return `M${at(0, 0)}L${at(0.15, 0)}${coil.join("")}L${at(0.85, 0)}L${at(1, 0)}`;
+}

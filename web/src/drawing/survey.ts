@@ -1,0 +1,88 @@
+// What a drawing needs to know once: links by name, pins, guides, and the extents of all the motion.
+
+import type { AreaData, Centrode, LinkData, Point, Scene } from "../scene/data.ts";
+import { type Guide, guidesOf, onGuide } from "./guides.ts";
+import { type Pin, pinsOf } from "./pins.ts";
+import { place, poseOf } from "./poses.ts";
+
+/** How many colours links and curves have; they repeat after that. */
+export const PALETTE = 8;
+
+export interface Box {
+  x0: number;
+  x1: number;
+  y0: number;
+  y1: number;
+}
+
+export interface Facts {
+  readonly scene: Scene;
+  /** The scene's times; one where it has none. */
+  readonly times: readonly number[];
+  readonly links: ReadonlyMap<string, LinkData>;
+  readonly guides: readonly Guide[];
+  readonly pins: readonly Pin[];
+  /** All that moves, and with the centrodes. */
+  readonly box: Readonly<Box>;
+  readonly wide: Readonly<Box>;
+  readonly size: number;
+  /** By sample: is there a link without a pose? */
+  readonly gaps: readonly boolean[];
+  /** The colour of each moving link. */
+  readonly colour: ReadonlyMap<LinkData, number>;
+  readonly centrodes: readonly Centrode[];
+  readonly areas: readonly AreaData[];
+}
+
+export function survey(scene: Scene): Facts {
+  const times = scene.time.length ? scene.time : [0];
+  const links = new Map(scene.links.map((link) => [link.name, link]));
+  const guides = guidesOf(scene, links, times);
+  const { areas = [], centrodes = [] } = scene;
+  const gaps = times.map((_, k) => scene.links.some((link) => !poseOf(link, times, k)));
+  const box: Box = { x0: Infinity, x1: -Infinity, y0: Infinity, y1: -Infinity };
+  for (const at of reached(scene, guides, times)) include(box, at);
+  for (const trace of scene.traces) includeRows(box, trace);
+  for (const ring of areas.flatMap((area) => area.rings)) for (const at of ring) include(box, at);
+  if (box.x0 > box.x1) Object.assign(box, { x0: -1, x1: 1, y0: -1, y1: 1 });
+  const wide = { ...box };
+  for (const centrode of centrodes) includeRows(wide, centrode);
+  const size = Math.max(box.x1 - box.x0, box.y1 - box.y0) || 1;
+  const moving = scene.links.filter((link) => !link.fixed);
+  const colour = new Map(moving.map((link, i) => [link, i % PALETTE]));
+  return { scene, times, links, guides, pins: pinsOf(scene), box, wide, size, gaps, colour, centrodes, areas };
+}
+
+/** All places in the world that links and guides reach at the samples. */
+function* reached(scene: Scene, guides: readonly Guide[], times: readonly number[]): Generator<Point> {
+  for (let k = 0; k < times.length; k++) {
+    for (const link of scene.links) {
+      const pose = poseOf(link, times, k);
+      if (!pose) continue;
+      for (const local of Object.values(link.points)) yield place(pose, local);
+      for (const line of link.outlines ?? []) for (const local of line) yield place(pose, local);
+    }
+    for (const { guide, low, high } of guides) {
+      const pose = poseOf(guide.link, times, k);
+      if (pose) for (const travel of [low, high]) yield place(pose, onGuide(guide, travel));
+    }
+  }
+}
+
+function include(box: Box, [x, y]: Point): void {
+  [box.x0, box.x1] = [Math.min(box.x0, x), Math.max(box.x1, x)];
+  [box.y0, box.y1] = [Math.min(box.y0, y), Math.max(box.y1, y)];
+}
+
+function includeRows(box: Box, { x, y }: Pick<Centrode, "x" | "y">): void {
+  x.forEach((each, k) => {
+    const up = y[k];
+    if (each != null && up != null) include(box, [each, up]);
+  });
+}
+
+/** The class of a link's colour. */
+export const colourOf = (facts: Facts, link: LinkData): string => `lw-c${facts.colour.get(link)}`;
+
+/** The class of a path's colour: those after the links' own. */
+export const traceColour = (facts: Facts, i: number): string => `lw-c${(facts.colour.size + i) % PALETTE}`;

@@ -1,0 +1,12 @@
+// What a drawing says.
+
+import type { Texts } from "../scene/data.ts";
+
+/** The text of a key of the catalogue's "report." part. */
+export type Say = (key: string) => string;
+
+/** Without a text the key itself is said. */
+export const speaker =
+  (words: Texts): Say =>
+  (key) =>
+    words[`report.${key}`] ?? key.replaceAll("_", " ");

@@ -1,0 +1,19 @@
+// Lines that are told apart in light, in dark and in black and white.
+
+const DASHES = [[], [7, 3], [2, 3], [10, 3, 2, 3], [5, 2, 1, 2, 1, 2]] as const;
+const COLOURS = 8;
+
+/** The dashes of the i-th curve, in pixels. */
+export const dash = (i: number): readonly number[] => DASHES[i % DASHES.length]!;
+
+/** The name of the i-th curve's colour among those of drawings. */
+export const colourName = (i: number): string => `c${i % COLOURS}`;
+
+/** A colour of drawings by its name, as it is at the moment. */
+export type Colour = (name: string) => string;
+
+/** The colours that hold at an element. */
+export const coloursAt =
+  (element: Element): Colour =>
+  (name) =>
+    getComputedStyle(element).getPropertyValue(`--lw-${name}`).trim();
