@@ -11,9 +11,10 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
-from linkwright.elements.fields import PART_LENGTH, Interval, PointName
+from linkwright.elements.fields import INERTIA, PART_LENGTH, Interval, PointName
+from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen
-from linkwright.expressions.typed_fields import ELSEWHERE
+from linkwright.expressions.typed_fields import ELSEWHERE, Quantity, Sign
 
 
 class CylinderPart(Frozen):
@@ -21,9 +22,9 @@ class CylinderPart(Frozen):
 
     # Its numbers are those of the link that it becomes, and looked at there.
 
-    mass: Expression
-    com: Expression
-    inertia: Expression | None = None
+    mass: Annotated[Expression, Quantity(u.MASS, Sign.NOT_NEGATIVE, "mass")]
+    com: Annotated[Expression, Quantity(u.LENGTH)]
+    inertia: Annotated[Expression | None, INERTIA] = None
 
     @property
     def uniform(self) -> bool:

@@ -167,6 +167,9 @@ class Position(Written):
     def quantities(self) -> TypedParts:
         return (self.first, _LENGTH), (self.second, _ANGLE if self.polar else _LENGTH)
 
+    def part_names(self) -> tuple[str, ...]:
+        return ("radius", "angle") if self.polar else ("x", "y")
+
 
 class Place(Position):
     """The place of a point of a sketch: as a position, or ``[x, y, z]`` in the vehicle's axes."""
@@ -195,6 +198,12 @@ class Place(Position):
     def parts(self) -> tuple[Expression, ...]:
         """The coordinates, two or three."""
         return (self.first, self.second) if self.third is None else (self.first, self.second, self.third)
+
+    def quantities(self) -> TypedParts:
+        return super().quantities() if self.third is None else [(part, _LENGTH) for part in self.parts]
+
+    def part_names(self) -> tuple[str, ...]:
+        return super().part_names() if self.third is None else ("x", "y", "z")
 
 
 class LineOn(Written):
@@ -309,6 +318,9 @@ class AssemblyRule(Written):
     def quantities(self) -> TypedParts:
         return () if self.sketch is None else self.sketch.quantities()
 
+    def part_names(self) -> tuple[str, ...]:
+        return () if self.sketch is None else self.sketch.part_names()
+
     def names(self) -> Names:
         yield from ((point, Ref("pivot")) for point in self.reference)
         if self.along is not None:
@@ -361,6 +373,9 @@ class Requirement(Written):
 
     def quantities(self) -> TypedParts:
         return [(bound, None) for bound in self.bounds]
+
+    def part_names(self) -> tuple[str, ...]:
+        return tuple(name for name, bound in (("low", self.low), ("high", self.high)) if bound is not None)
 
     @property
     def bounds(self) -> tuple[Expression, ...]:

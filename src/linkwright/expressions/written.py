@@ -220,6 +220,10 @@ class Written:
         ``None`` where the field says that."""
         return ()
 
+    def part_names(self) -> tuple[str, ...]:
+        """What tells its expressions apart, in their order, where there are several: ``x`` and ``y``."""
+        return ()
+
     def names(self) -> Iterable[tuple[str, Any]]:
         """The names of elements in it, each with the :class:`~linkwright.expressions.typed_fields.Ref` that it is, or
         ``None`` where the field says that."""

@@ -53,6 +53,9 @@ class Gravity(Written):
     def quantities(self) -> TypedParts:
         return [(part, Quantity(ACCELERATION)) for part in self.parts]
 
+    def part_names(self) -> tuple[str, ...]:
+        return ("x", "y")
+
 
 def _along(inside: str, raw: str) -> tuple[Expression, Expression]:
     """The earth's gravity along a direction; ``inside`` is what stands in its brackets."""

@@ -42,6 +42,8 @@ class QuantityPlace(NamedTuple):
 
     context: Context
     parts: tuple[tuple[Expression, Quantity], ...]
+    written: Written | None = None
+    """The value that has a spelling of its own, such as a position, in which the expressions stand."""
 
     @property
     def path(self) -> Path:
@@ -73,6 +75,7 @@ class _Spec:
     key: _Spec | None = None
     inner: tuple[_Spec, ...] = ()
     form: Literal["value", "union", "items", "list", "mapping"] = "value"
+    elsewhere: bool = False
 
     @property
     def has_typed_values(self) -> bool:
@@ -100,9 +103,7 @@ def _spec(annotation: Any, metadata: Any = ()) -> _Spec:
     if origin is Annotated:
         return _spec(args[0], (*metadata, *args[1:]))
     said = {type(one): one for one in metadata}
-    if Elsewhere in said:
-        return _NOTHING
-    made = partial(_Spec, quantity=said.get(Quantity), ref=said.get(Ref))
+    made = partial(_Spec, quantity=said.get(Quantity), ref=said.get(Ref), elsewhere=Elsewhere in said)
     if origin in (Union, types.UnionType):
         inner = tuple(_spec(arg) for arg in args if arg is not type(None))
         return made(tuple(kind for spec in inner for kind in spec.kinds), inner=inner, form="union")
@@ -120,11 +121,21 @@ def _spec(annotation: Any, metadata: Any = ()) -> _Spec:
 def _fields(entry: type[BaseModel]) -> dict[str, tuple[str, _Spec]]:
     """The fields of an entry that may hold quantities or names: by their keys in the file the attribute, and what they
     hold."""
+    return {key: held for key, held in _all_fields(entry).items() if not held[1].elsewhere}
+
+
+@cache
+def _all_fields(entry: type[BaseModel]) -> dict[str, tuple[str, _Spec]]:
+    """The same with those whose values are stated elsewhere too."""
     every = {of.alias or name: (name, _spec(of.annotation, of.metadata)) for name, of in entry.model_fields.items()}
     return {key: (name, spec) for key, (name, spec) in every.items() if spec.has_typed_values}
 
 
 Found = QuantityPlace | Reference
+
+
+class _Everything(list[Found]):
+    """What is found, also in fields whose values are stated elsewhere too."""
 
 
 def walk(entry: BaseModel, context: Context, *keys: str) -> list[Found]:
@@ -140,13 +151,21 @@ def sites(entry: BaseModel, context: Context, *keys: str) -> Iterator[QuantityPl
     return (found for found in walk(entry, context, *keys) if isinstance(found, QuantityPlace))
 
 
+def written_sites(entry: BaseModel, context: Context, *keys: str) -> Iterator[QuantityPlace]:
+    """The quantities as they are written: also those of fields whose values are stated elsewhere too."""
+    found = _Everything()
+    _entry(entry, context, None, found, keys)
+    return (one for one in found if isinstance(one, QuantityPlace))
+
+
 def references(entry: BaseModel, context: Context, *keys: str) -> Iterator[Reference]:
     """The names alone."""
     return (found for found in walk(entry, context, *keys) if isinstance(found, Reference))
 
 
 def _entry(entry: BaseModel, at: Context, of: Quantity | None, found: list[Found], keys: Sequence[str] = ()) -> None:
-    inside, fields = Context(at.mechanism, at.path, (*at.entries, entry)), _fields(type(entry))
+    inside = Context(at.mechanism, at.path, (*at.entries, entry))
+    fields = (_all_fields if isinstance(found, _Everything) else _fields)(type(entry))
     for key in keys or fields:
         name, spec = fields[key]
         if (value := getattr(entry, name)) is not None:
@@ -162,7 +181,7 @@ def _walk(value: Any, at: Context, spec: _Spec, of: Quantity | None, ref: Ref | 
     of, ref = spec.quantity or of, spec.ref or ref
     if isinstance(value, Written):
         found += (Reference(at, name, said) for name, own in value.names() if (said := own or ref) is not None)
-        _site(at, value.quantities(), of, found)
+        _site(at, value.quantities(), of, found, value)
     elif isinstance(value, str):
         if ref is not None:
             found.append(Reference(at, value, ref))
@@ -186,12 +205,16 @@ def _walk(value: Any, at: Context, spec: _Spec, of: Quantity | None, ref: Ref | 
 
 
 def _site(
-    at: Context, parts: Iterable[tuple[Expression, Quantity | None]], around: Quantity | None, found: list[Found]
+    at: Context,
+    parts: Iterable[tuple[Expression, Quantity | None]],
+    around: Quantity | None,
+    found: list[Found],
+    written: Written | None = None,
 ) -> None:
     """Add the site of some expressions, as far as it is said what they are."""
     known = tuple((part, said) for part, own in parts if (said := own or around) is not None)
     if known:
-        found.append(QuantityPlace(at, known))
+        found.append(QuantityPlace(at, known, written))
 
 
 Options = Sequence[tuple[Path, BaseModel]]
