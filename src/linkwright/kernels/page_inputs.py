@@ -98,6 +98,17 @@ def constants_program(compiled: Compiled) -> Program:
     return _program(compiled, ca.SX(0, 1), p, rows, ())
 
 
+def shape_program(compiled: Compiled) -> Program:
+    """The shapes of links: the coordinates (m) of each link's points in its frame, link by link as the mechanism has
+    them; then the angles (rad) of each prismatic joint's line on both its links."""
+    p, parameters = _parameters(compiled, ())
+    geometry, mechanism = Geometry(compiled.quantities, parameters), compiled.mechanism
+    points = [geometry.point(link, name) for link, entry in mechanism.links.items() for name in entry.points]
+    rows = [coordinate for point in points for coordinate in point]
+    rows += [geometry.heading_angle(n, link) for n, joint in mechanism.prismatic_joints() for link in joint.links]
+    return _program(compiled, ca.SX(0, 1), p, rows, ())
+
+
 def numbers_looked_at(quantities: Quantities) -> tuple[list[Any], list[Any], list[Any]]:
     """What depends on parameters and must be positive, what must not be negative, and what must be finite: expressions
     with their dimensions."""

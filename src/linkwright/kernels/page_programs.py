@@ -30,6 +30,7 @@ from linkwright.kernels.page_inputs import (
     locked_parameters,
     numbers_looked_at,
     ratio_program,
+    shape_program,
     table_pieces,
 )
 
@@ -102,6 +103,7 @@ class PagePrograms:
             "nearest": [graph.nearest_poses],
             "dragged": [self.dragged],
             "slopes": [derived_parameters(compiled.quantities, tangents=True)],
+            "shape": [shape_program(compiled)],
         }
 
     def code(self) -> str:
@@ -157,6 +159,7 @@ class PagePrograms:
                 [rows[f"total/{name}"], law.total] for name, law in supply.followers.items() if f"total/{name}" in rows
             ],
             "outputs": len(self.rows),
+            "shape": len(self.programs["shape"][0].outputs),
             "points": list(self.points),
             "links": list(compiled.structure.topology.moving),
             "looked_at": [len(kind) for kind in numbers_looked_at(compiled.quantities)],

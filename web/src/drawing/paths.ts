@@ -1,6 +1,6 @@
 // Paths of points, areas behind the mechanism, and centrodes: what can be switched on and off.
 
-import type { Point, Values } from "../scene/data.ts";
+import { known, type Point, type Values } from "../scene/data.ts";
 import { svg } from "./elements.ts";
 import { poseOf, spot } from "./poses.ts";
 import { colourOf, type Facts, PALETTE, traceColour } from "./survey.ts";
@@ -20,12 +20,12 @@ const DOT = 3.4;
 export function linePath(xs: Values, ys: Values, toScreen: (at: Point) => Point): string {
   let d = "";
   let pen = false;
-  xs.forEach((x, i) => {
-    const y = ys[i];
-    const here = x != null && y != null;
+  for (let i = 0; i < xs.length; i++) {
+    const [x, y] = [known(xs, i), known(ys, i)];
+    const here = x !== null && y !== null;
     if (here) d += `${pen ? "L" : "M"}${written(toScreen([x, y]))}`;
     pen = here;
-  });
+  }
   return d;
 }
 

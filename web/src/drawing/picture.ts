@@ -5,11 +5,12 @@ import { backdrop } from "./backdrop.ts";
 import { bodies } from "./bodies.ts";
 import { shown, svg } from "./elements.ts";
 import { labels } from "./labels.ts";
+import { openings } from "./openings.ts";
 import { areas, centrodes, traces } from "./paths.ts";
 import { pinCircles } from "./pin_circles.ts";
 import { springs } from "./springs.ts";
 import type { Box, Facts } from "./survey.ts";
-import { fit, type Move } from "./view.ts";
+import { fit, type Move, type View } from "./view.ts";
 import type { Say } from "./words.ts";
 
 /** A drawing that `show` moves to sample k + f, with the groups that can be switched. */
@@ -26,16 +27,23 @@ export interface Size {
   readonly most: number;
   /** What of the world is to be seen, if not all the motion. */
   readonly box?: Box;
+  /** What is to be compared with, as it was: a faint drawing behind. */
+  readonly original?: Facts | null;
+}
+
+/** A drawing that `show` moves, and how the world lies on its screen. */
+export interface Drawn extends Picture {
+  readonly view: View;
 }
 
 /** Fills `root` anew. `ghosts`: samples drawn faintly. */
 export function draw(
   root: SVGSVGElement,
   facts: Facts,
-  { width, most, box }: Size,
+  { width, most, box, original = null }: Size,
   say: Say,
   ghosts: readonly number[] = [],
-): Picture {
+): Drawn {
   const view = fit(facts, width, most, box);
   const r = clamp(width / 90, 4.5, 7);
   root.replaceChildren();
@@ -43,14 +51,17 @@ export function draw(
   backdrop(facts, view, svg("g", {}, root));
   const behind = areas(facts, view, root);
   for (const sample of ghosts) bodies(facts, view, r, svg("g", { class: "lw-ghost" }, root))(sample, 0);
+  const before = original ? compared(original, view, r, root) : () => {};
   const paths = traces(facts, view, root);
   const rolling = centrodes(facts, view, root);
   const moves = [
+    before,
     paths.move,
     rolling.move,
     bodies(facts, view, r, svg("g", {}, root)),
     springs(facts, view, r, root),
     pinCircles(facts, view, r, root),
+    openings(facts, view, svg("g", {}, root)),
     labels(facts, view, r, svg("g", { class: "lw-labels" }, root)),
   ];
   const note = svg("text", { class: "lw-note", x: width / 2, y: 24, "text-anchor": "middle" }, root);
@@ -59,5 +70,12 @@ export function draw(
     for (const move of moves) move(sample, f);
     shown(note, Boolean(facts.gaps[sample] || (f && facts.gaps[sample + 1])));
   };
-  return { show, areas: behind, traces: paths.groups, centrodes: rolling.groups };
+  return { show, view, areas: behind, traces: paths.groups, centrodes: rolling.groups };
+}
+
+/** The mechanism as it was, and the paths of its points. */
+function compared(original: Facts, view: View, r: number, root: Element): Move {
+  const parent = svg("g", { class: "lw-original" }, root);
+  traces(original, view, parent);
+  return bodies(original, view, r, parent);
 }

@@ -1,6 +1,6 @@
 // Where links are, at samples and between them.
 
-import type { LinkData, Point, Values } from "../scene/data.ts";
+import { known, type LinkData, type Point, type Values } from "../scene/data.ts";
 
 /** Placement of a link's axes: origin (x, y), unit vector (c, s) of its x axis. */
 export interface Pose {
@@ -12,15 +12,15 @@ export interface Pose {
 
 /** Value of a row at sample k + f, by cubic interpolation through the samples around it; a row of one never changes. */
 export function between(values: Values, times: readonly number[], k: number, f: number): number | null {
-  if (values.length === 1) return values[0] ?? null;
-  const [v0, v1] = [values[k], values[k + 1]];
-  if (v0 == null) return null;
-  if (f === 0) return v0;
-  if (v1 == null) return null;
+  if (values.length === 1) return known(values, 0);
+  const v0 = known(values, k);
+  if (v0 === null || f === 0) return v0;
+  const v1 = known(values, k + 1);
+  if (v1 === null) return null;
   const h = times[k + 1]! - times[k]!;
   const slope = (i: number): number => {
-    const [a, b] = [values[i - 1], values[i + 1]];
-    return a == null || b == null ? v1 - v0 : ((b - a) / (times[i + 1]! - times[i - 1]!)) * h;
+    const [a, b] = [known(values, i - 1), known(values, i + 1)];
+    return a === null || b === null ? v1 - v0 : ((b - a) / (times[i + 1]! - times[i - 1]!)) * h;
   };
   const [m0, m1] = [slope(k), slope(k + 1)];
   const g = 1 - f;

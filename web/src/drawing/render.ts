@@ -3,15 +3,17 @@
 //   const drawing = render({ model: scene, el, words, time, autoplay });
 //   drawing.setTime(t); drawing.setIndex(i); drawing.on("time", (t, index) => ...); drawing.destroy();
 
-import type { Scene, Texts, TimeAxis } from "../scene/data.ts";
+import type { Point, Scene, Texts, TimeAxis } from "../scene/data.ts";
 import { clamp } from "../scene/numbers.ts";
 import { locate } from "../scene/times.ts";
 import { controls } from "./controls.ts";
 import { frame } from "./frame.ts";
-import { draw, type Picture } from "./picture.ts";
+import { type Drawn, draw } from "./picture.ts";
+import { onPicture, pinAt } from "./pick.ts";
+import type { Pin } from "./pins.ts";
 import { playback } from "./playback.ts";
 import { SECONDS } from "./speeds.ts";
-import { survey } from "./survey.ts";
+import { type Facts, survey } from "./survey.ts";
 import { speaker } from "./words.ts";
 
 export interface RenderOptions {
@@ -36,6 +38,13 @@ export interface Drawing {
   /** Setting a time or a sample ends the play. */
   setTime(t: number): void;
   setIndex(i: number): void;
+  /** The same links and points in another motion at the same times; `original` is drawn faintly behind it. */
+  update(scene: Scene, original: Scene | null): void;
+  /** The place in the world of a place in the window. */
+  place(x: number, y: number): Point;
+  /** The pin or point next to a place in the window, none farther away than some pixels. */
+  pick(x: number, y: number, within: number): Pin | null;
+  readonly picture: SVGSVGElement;
   /** Calls back when the time changes, until the function that it gives is called. */
   on(event: "time", callback: Listener): () => void;
   destroy(): void;
@@ -50,7 +59,8 @@ export function render({
   autoplay = false,
 }: RenderOptions): Drawing {
   const say = speaker(words);
-  const facts = survey(model);
+  let facts = survey(model);
+  let original: Facts | null = null;
   const { times } = facts;
   const [first, last] = [times[0]!, times.at(-1)!];
   const second = SECONDS[time.unit];
@@ -59,7 +69,7 @@ export function render({
   const ui = controls(root, facts, { say, time, real: (last - first) / perSecond });
   const decimals = clamp(1 - Math.floor(Math.log10((last - first) / (times.length - 1) || 1)), 0, 9);
   const listeners = new Set<Listener>();
-  let picture: Picture;
+  let picture: Drawn;
   let now = first;
 
   const show = (): number => {
@@ -87,7 +97,8 @@ export function render({
   const layout = (): void => {
     const width = Math.round(root.clientWidth) || 640;
     const box = ui.centrodes.some((each) => each.checked) ? facts.wide : facts.box;
-    picture = draw(drawing, facts, { width, most: clamp(window.innerHeight * 0.66, 280, 720), box }, say);
+    const most = clamp(window.innerHeight * 0.66, 280, 720);
+    picture = draw(drawing, facts, { width, most, box, original }, say);
     switches();
     show();
   };
@@ -133,6 +144,18 @@ export function render({
     },
     get time() {
       return now;
+    },
+    picture: drawing,
+    update(scene, before) {
+      facts = survey(scene, facts);
+      original = before && survey(before, facts);
+      layout();
+    },
+    place(x, y) {
+      return picture.view.toWorld(onPicture(drawing, x, y));
+    },
+    pick(x, y, within) {
+      return pinAt(facts, picture.view, times, now, onPicture(drawing, x, y), within);
     },
     on(event, callback) {
       if (event !== "time") throw new Error(`unknown event: ${event as string}`);

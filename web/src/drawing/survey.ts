@@ -1,6 +1,6 @@
 // What a drawing needs to know once: links by name, pins, guides, and the extents of all the motion.
 
-import type { AreaData, Centrode, LinkData, Point, Scene } from "../scene/data.ts";
+import { type AreaData, type Centrode, known, type LinkData, type Point, type Scene } from "../scene/data.ts";
 import { type Guide, guidesOf, onGuide } from "./guides.ts";
 import { type Pin, pinsOf } from "./pins.ts";
 import { place, poseOf } from "./poses.ts";
@@ -34,12 +34,26 @@ export interface Facts {
   readonly areas: readonly AreaData[];
 }
 
-export function survey(scene: Scene): Facts {
+/** `kept`: the extents of before, where the scene has only changed. */
+export function survey(scene: Scene, kept: Pick<Facts, "box" | "wide" | "size"> | null = null): Facts {
   const times = scene.time.length ? scene.time : [0];
   const links = new Map(scene.links.map((link) => [link.name, link]));
   const guides = guidesOf(scene, links, times);
   const { areas = [], centrodes = [] } = scene;
-  const gaps = times.map((_, k) => scene.links.some((link) => !poseOf(link, times, k)));
+  const gaps = scene.open ?? times.map((_, k) => scene.links.some((link) => !poseOf(link, times, k)));
+  const moving = scene.links.filter((link) => !link.fixed);
+  const colour = new Map(moving.map((link, i) => [link, i % PALETTE]));
+  const pins = pinsOf(scene);
+  const { box, wide, size } = kept ?? extents(scene, guides, times);
+  return { scene, times, links, guides, pins, box, wide, size, gaps, colour, centrodes, areas };
+}
+
+function extents(
+  scene: Scene,
+  guides: readonly Guide[],
+  times: readonly number[],
+): Pick<Facts, "box" | "wide" | "size"> {
+  const { areas = [], centrodes = [] } = scene;
   const box: Box = { x0: Infinity, x1: -Infinity, y0: Infinity, y1: -Infinity };
   for (const at of reached(scene, guides, times)) include(box, at);
   for (const trace of scene.traces) includeRows(box, trace);
@@ -47,10 +61,7 @@ export function survey(scene: Scene): Facts {
   if (box.x0 > box.x1) Object.assign(box, { x0: -1, x1: 1, y0: -1, y1: 1 });
   const wide = { ...box };
   for (const centrode of centrodes) includeRows(wide, centrode);
-  const size = Math.max(box.x1 - box.x0, box.y1 - box.y0) || 1;
-  const moving = scene.links.filter((link) => !link.fixed);
-  const colour = new Map(moving.map((link, i) => [link, i % PALETTE]));
-  return { scene, times, links, guides, pins: pinsOf(scene), box, wide, size, gaps, colour, centrodes, areas };
+  return { box, wide, size: Math.max(box.x1 - box.x0, box.y1 - box.y0) || 1 };
 }
 
 /** All places in the world that links and guides reach at the samples. */
@@ -75,10 +86,10 @@ function include(box: Box, [x, y]: Point): void {
 }
 
 function includeRows(box: Box, { x, y }: Pick<Centrode, "x" | "y">): void {
-  x.forEach((each, k) => {
-    const up = y[k];
-    if (each != null && up != null) include(box, [each, up]);
-  });
+  for (let k = 0; k < x.length; k++) {
+    const [each, up] = [known(x, k), known(y, k)];
+    if (each !== null && up !== null) include(box, [each, up]);
+  }
 }
 
 /** The class of a link's colour. */

@@ -2,6 +2,9 @@
 
 import { type Drawing, render } from "../drawing/render.ts";
 import { still } from "../drawing/still.ts";
+import { LiveModel } from "../live/live_model.ts";
+import { livePage } from "../live/live_page.ts";
+import { plotsOf, sceneOf } from "../live/live_scene.ts";
 import { copyButtons } from "../panels/copy.ts";
 import { found } from "../panels/found.ts";
 import { pageData } from "../panels/page_data.ts";
@@ -11,18 +14,25 @@ import { charts } from "../plots/charts.ts";
 import { coloursAt } from "../plots/looks.ts";
 
 const words = linkwrightWords;
-const { time, scene, plots } = pageData(words);
+const page = pageData(words);
+const live = page.live ? new LiveModel(page.live, linkwrightPrograms) : null;
+const { time, plots } = page;
+const scene = live ? sceneOf(page.scene, live) : page.scene;
 const drawing = render({ model: scene, el: found("#drawing"), words: words.texts, time, autoplay: true });
 still({ model: scene, el: found("#still"), words: words.texts });
 const shown = charts(document.querySelectorAll<HTMLElement>("figure.plot"), {
   time,
-  plots,
+  plots: live ? plotsOf(plots, live) : plots,
   axis: words.axis,
   labels: words.labels,
   colour: coloursAt(found("#drawing .lw")),
   drawing,
   whole: document.querySelector<HTMLElement>("#whole"),
 });
+if (live) {
+  const { texts, locked } = words;
+  livePage({ live, drawing, charts: shown, scene: page.scene, plots, time, texts, locked });
+}
 whenPrinted(shown);
 copyButtons(
   (button) => button.dataset["copy"] ?? "",
@@ -32,6 +42,6 @@ stacks();
 
 declare global {
   /** For the browser's console and for tests. */
-  var linkwright: { drawing: Drawing; charts: typeof shown.all };
+  var linkwright: { drawing: Drawing; charts: typeof shown.all; live: LiveModel | null };
 }
-globalThis.linkwright = { drawing, charts: shown.all };
+globalThis.linkwright = { drawing, charts: shown.all, live };

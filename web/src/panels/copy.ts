@@ -17,7 +17,7 @@ export function copyButtons(
 }
 
 /** Text to the clipboard; where a browser gives a page from disk none, by a selection. */
-async function copy(text: string): Promise<void> {
+export async function copy(text: string): Promise<void> {
   try {
     await navigator.clipboard.writeText(text);
   } catch {

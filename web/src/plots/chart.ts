@@ -13,8 +13,11 @@ export interface Chart {
   /** The figure, and in it the area that the curves fill. */
   readonly box: HTMLElement;
   readonly area: HTMLElement;
-  readonly plot: Plot;
+  /** What it shows now. */
+  plot: Plot;
   readonly uplot: uPlot;
+  /** Shows the same signals with other values. */
+  show(plot: Plot): void;
   /** Puts the cursor and the legend's values to a sample. */
   follow(index: number): void;
 }
@@ -28,13 +31,25 @@ export function chart(box: HTMLElement, plot: Plot, label: string, shared: Share
   const values = legend(found(".legend", box), plot, uplot);
   uplot.over.setAttribute("role", "img");
   uplot.over.setAttribute("aria-label", label);
-  const follow = (index: number): void => {
+  let index = 0;
+  const follow = (sample: number): void => {
+    index = sample;
     const left = uplot.valToPos(time.values[index]!, "x");
     const inside = left >= 0 && left <= uplot.over.clientWidth;
     uplot.setCursor({ left: inside ? left : -10, top: 0 }, false);
     values.forEach((output, i) => {
-      output.textContent = figure(plot.series[i]!.values[index]);
+      output.textContent = figure(made.plot.series[i]!.values[index]);
     });
   };
-  return { box, area, plot, uplot, follow };
+  const show = (changed: Plot): void => {
+    made.plot = changed;
+    const { min, max } = uplot.scales["x"]!;
+    uplot.batch(() => {
+      uplot.setData(columns(changed, time));
+      if (min != null && max != null) uplot.setScale("x", { min, max });
+    });
+    follow(index);
+  };
+  const made: Chart = { box, area, plot, uplot, follow, show };
+  return made;
 }

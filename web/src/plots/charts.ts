@@ -21,6 +21,8 @@ export interface ChartsOptions extends Shared {
 
 export interface Charts {
   readonly all: readonly uPlot[];
+  /** The same plots with other values. */
+  update(plots: readonly Plot[]): void;
   /** Paper gets its own plots; back on the screen they go. */
   toPaper(): void;
   toScreen(): void;
@@ -41,6 +43,7 @@ export function charts(
       const each = made.get(target)!;
       if (isIntersecting) {
         inSight.add(each);
+        refresh(each);
         each.follow(index);
       } else inSight.delete(each);
     }
@@ -52,6 +55,12 @@ export function charts(
       if (width && width !== uplot.width) uplot.setSize({ width, height: HEIGHT });
     }
   });
+  let latest: readonly Plot[] | null = null;
+  /** Plots out of sight wait until they are seen. */
+  const refresh = (each: Chart): void => {
+    const plot = latest?.[Number(each.box.dataset["plot"])];
+    if (plot && plot !== each.plot) each.show(plot);
+  };
   const moved = (time: number): void => {
     index = nearest(times, time);
     for (const each of inSight) each.follow(index);
@@ -86,8 +95,13 @@ export function charts(
 
   let onPaper: PaperChart[] = [];
   return {
+    update(changed) {
+      latest = changed;
+      for (const each of inSight) refresh(each);
+    },
     all: list.map(({ uplot }) => uplot),
     toPaper() {
+      list.forEach(refresh);
       onPaper = list.map((each) => paperChart(each, shared));
     },
     toScreen() {

@@ -43,7 +43,8 @@ export type Counts = Record<
   | "signals"
   | "nearest"
   | "dragged"
-  | "slopes",
+  | "slopes"
+  | "shape",
   number
 >;
 
@@ -69,6 +70,8 @@ export interface ProgramData {
   ratios: { rows: [number, number]; motor: number }[];
   totals: [number, number][];
   outputs: number;
+  /** How many numbers the shapes of links are. */
+  shape: number;
   /** The points that may be dragged, and the links whose poses are known, by name. */
   points: string[];
   links: string[];

@@ -35,6 +35,7 @@ export class Mechanism {
   private readonly nominal: Float64Array;
   private readonly out: Float64Array;
   private readonly laws: Float64Array;
+  private readonly shapes: Float64Array;
   private readonly poses: Float64Array[];
   private readonly higher: HigherGroups;
   private readonly size: number;
@@ -51,6 +52,7 @@ export class Mechanism {
     this.p = new Float64Array(data.parameters);
     this.size = data.outputs + data.groups.length;
     this.out = new Float64Array(this.size);
+    this.shapes = new Float64Array(data.shape);
     this.laws = new Float64Array(data.drives.count * data.drives.width);
     const all = new Float64Array(times.length * data.inputs);
     this.poses = times.map((_, k) => all.subarray(k * data.inputs, (k + 1) * data.inputs));
@@ -104,6 +106,26 @@ export class Mechanism {
     });
     motion.failure = this.failure(motion, lost);
     return motion;
+  }
+
+  /** The shapes of links at some parameters: coordinates of points (m), angles of lines (rad). */
+  shape(parameters: Float64Array): Float64Array {
+    const program = this.only("shape");
+    program.parameters(parameters);
+    program.pose([], this.shapes);
+    return this.shapes;
+  }
+
+  /** The rows of all poses; where dyads of the last motion can't close, those in which they come nearest to it. */
+  nearest(motion: Motion): Float64Array[] {
+    const count = 4 * this.data.links.length;
+    const [rows, out] = [motion.rows.slice(0, count).map((row) => row.slice()), new Float64Array(count)];
+    for (const [k, x] of this.poses.entries()) {
+      if (rows.every((row) => Number.isFinite(row[k]!))) continue;
+      this.only("nearest").pose(x, out);
+      for (const [i, row] of rows.entries()) row[k] = out[i]!;
+    }
+    return rows;
   }
 
   /** Let all programs know the parameters. */

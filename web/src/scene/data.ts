@@ -1,9 +1,15 @@
-// What pages draw and plot: the data of linkwright/report/data.py, name by name. A null says "no value
-// here": a pose that can't be assembled. World: x right, y up, angles in radians, counter-clockwise.
+// What pages draw and plot: the data of linkwright/report/data.py, name by name. A null or NaN says "no
+// value here": a pose that can't be assembled. World: x right, y up, angles in radians, counter-clockwise.
 
 /** A place [x, y], in the scene's length unit. */
 export type Point = readonly [number, number];
-export type Values = readonly (number | null)[];
+export type Values = ArrayLike<number | null>;
+/** A value of a row, null where there is none. */
+export function known(values: Values, i: number): number | null {
+  const value = values[i];
+  return value == null || Number.isNaN(value) ? null : value;
+}
+
 export type Pair<T> = readonly [T, T];
 
 /** Placement of a link's axes over time: world = (x, y) + [[c, -s], [s, c]] local. One entry where it never moves. */
@@ -84,6 +90,8 @@ export interface Scene {
   readonly centrodes?: readonly Centrode[];
   readonly springs?: readonly SpringData[];
   readonly areas?: readonly AreaData[];
+  /** By sample: is it open, though its links have poses? Without this, where a link has none. */
+  readonly open?: readonly boolean[];
 }
 
 /** The axis that all plots and the drawing share. */

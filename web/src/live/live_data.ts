@@ -1,0 +1,48 @@
+// What a report brings to compute its mechanism itself (linkwright/report/live.py). Times in s, all values in SI.
+
+import type { Program, ProgramData } from "../program/data.ts";
+
+/** A number of the model file that can be moved: its place in the file, its value with bounds, its unit. */
+export interface LiveNumber {
+  readonly name: string;
+  readonly label: string;
+  readonly value: number;
+  readonly low: number;
+  readonly high: number;
+  /** Within which it may lie by its tolerance. */
+  readonly tolerance: readonly [number, number] | null;
+  readonly unit: string;
+  readonly size: number;
+  readonly named: boolean;
+  readonly locked: boolean;
+  /** What a change is measured by. */
+  readonly scale: number;
+  /** The line of the file, from 1, and the columns of the digits in it; none where it stands nowhere. */
+  readonly line: number;
+  readonly start: number;
+  readonly end: number;
+}
+
+export interface LiveData {
+  readonly program: ProgramData;
+  readonly times: readonly number[];
+  /** The SI sizes of the units of lengths and times. */
+  readonly length: number;
+  readonly second: number;
+  /** The links whose poses come first among the outputs, four rows each. */
+  readonly poses: readonly string[];
+  readonly signals: readonly string[];
+  readonly sizes: readonly number[];
+  readonly wrapped: readonly number[];
+  readonly probes: readonly (number | null)[];
+  readonly numbers: readonly LiveNumber[];
+  /** The lines of the file in which numbers stand, by their number. */
+  readonly lines: Readonly<Record<string, string>>;
+  readonly drives: readonly string[];
+  readonly parameters: readonly string[];
+}
+
+declare global {
+  /** Set by a script of the page: the emitted programs. */
+  var linkwrightPrograms: readonly Program[];
+}

@@ -1,0 +1,120 @@
+// The mechanism of a page: values of its numbers, the motion at them, and the original to compare with.
+
+import { wrapped } from "../program/angles.ts";
+import type { Program } from "../program/data.ts";
+import { type Dragged, drag } from "../program/drag.ts";
+import { Mechanism, type Motion } from "../program/mechanism.ts";
+import type { LiveData } from "./live_data.ts";
+
+/** A prime: the pose at which the probe of row i lies is i times this, modulo the number of poses. */
+const PROBES = 7919;
+/** By how much a probe may differ, over its row's largest value. */
+const CLOSE = 1e-9;
+
+export class LiveModel {
+  readonly data: LiveData;
+  readonly mechanism: Mechanism;
+  readonly original: Motion;
+  /** Whether this browser finds the recorded values. */
+  readonly sound: boolean;
+  readonly values: Float64Array;
+  motion: Motion;
+  /** The values of the last motion without a failure. */
+  private closing: Float64Array;
+  /** The number of the data by its place among the free parameters; -1 where it stands nowhere in the file. */
+  private readonly places: number[];
+  private readonly listeners = new Set<() => void>();
+
+  constructor(data: LiveData, programs: readonly Program[]) {
+    this.data = data;
+    this.mechanism = new Mechanism(data.program, programs, data.times);
+    const { free } = data.program;
+    this.places = free.map((name) => data.numbers.findIndex((number) => number.name === name));
+    this.values = Float64Array.from(data.program.values);
+    this.original = this.run(this.values);
+    this.motion = this.original;
+    this.closing = this.values.slice();
+    this.sound = this.probed();
+  }
+
+  /** Calls back after each change. */
+  on(callback: () => void): void {
+    this.listeners.add(callback);
+  }
+
+  get changed(): boolean {
+    return this.values.some((value, i) => value !== this.data.program.values[i]);
+  }
+
+  /** The value of a number of the data, by its place there. */
+  value(number: number): number {
+    return this.values[this.places.indexOf(number)]!;
+  }
+
+  set(number: number, value: number): void {
+    this.values[this.places.indexOf(number)] = value;
+    this.compute();
+  }
+
+  reset(number: number | null = null): void {
+    if (number === null) this.values.set(this.data.program.values);
+    else this.values[this.places.indexOf(number)] = this.data.numbers[number]!.value;
+    this.compute();
+  }
+
+  /** Back to the last values at which all poses close. */
+  back(): void {
+    this.values.set(this.closing);
+    this.compute();
+  }
+
+  /** Bring a point to a place (m) by the numbers that aren't held. */
+  drag(point: number, target: readonly [number, number], pose: number, held: (number: number) => boolean): Dragged {
+    const { numbers } = this.data;
+    const each = this.places.map((number) => numbers[number]);
+    const found = drag(this.mechanism, this.values, this.data.times[pose]!, point, target, {
+      sizes: each.map((number) => number?.scale ?? 1),
+      low: each.map((number) => number?.low ?? 0),
+      high: each.map((number) => number?.high ?? 0),
+      held: each.map((number, i) => !number || number.locked || held(this.places[i]!)),
+    });
+    if (Number.isFinite(found.off)) {
+      this.values.set(found.free);
+      this.compute();
+    }
+    return found;
+  }
+
+  /** A signal of a motion in SI by its name; undefined where the page has none. */
+  signal(name: string, motion = this.motion): Float64Array | undefined {
+    const at = this.data.signals.indexOf(name);
+    return at < 0 ? undefined : motion.rows[4 * this.data.poses.length + at];
+  }
+
+  private compute(): void {
+    this.motion = this.run(this.values);
+    if (!this.motion.failure) this.closing = this.values.slice();
+    for (const listener of this.listeners) listener();
+  }
+
+  private run(values: ArrayLike<number>): Motion {
+    const motion = this.mechanism.run(values);
+    for (const i of this.data.wrapped) unwrap(motion.rows[4 * this.data.poses.length + i]!);
+    return motion;
+  }
+
+  private probed(): boolean {
+    return this.data.probes.every((probe, i) => {
+      const row = this.original.rows[i]!;
+      const here = row[(i * PROBES) % row.length]!;
+      if (probe === null) return !Number.isFinite(here);
+      const largest = row.reduce((most, value) => (Math.abs(value) > most ? Math.abs(value) : most), 1e-12);
+      return Math.abs(here - probe) <= CLOSE * largest;
+    });
+  }
+}
+
+/** Makes an angle continuous, in place. */
+function unwrap(row: Float64Array): void {
+  for (let k = 1; k < row.length; k++) row[k] = row[k - 1]! + wrapped(row[k]! - row[k - 1]!);
+}

@@ -1,0 +1,78 @@
+// The live report: one change of a number moves the drawing, the plots, and what the page says of them.
+
+import { html } from "../drawing/elements.ts";
+import type { Drawing } from "../drawing/render.ts";
+import { speaker } from "../drawing/words.ts";
+import { dimensions, written } from "../panels/dimensions.ts";
+import { found } from "../panels/found.ts";
+import { liveState } from "../panels/live_state.ts";
+import type { Charts } from "../plots/charts.ts";
+import type { Plot, Scene, Texts, TimeAxis } from "../scene/data.ts";
+import { dragging } from "./dragging.ts";
+import type { LiveModel } from "./live_model.ts";
+import { plotsOf, sceneOf } from "./live_scene.ts";
+
+export interface LivePage {
+  readonly live: LiveModel;
+  readonly drawing: Drawing;
+  readonly charts: Charts;
+  readonly scene: Scene;
+  readonly plots: readonly Plot[];
+  readonly time: TimeAxis;
+  readonly texts: Texts;
+  /** Of each number why it is locked, else an empty text. */
+  readonly locked: readonly string[];
+}
+
+export function livePage({ live, drawing, charts, scene, plots, time, texts, locked }: LivePage): void {
+  const say = speaker(texts);
+  const box = found("#numbers");
+  const original = sceneOf(scene, live);
+  const bar = html("div", { class: "live-bar" }, box);
+  const state = liveState(found("#state"), bar, live, say, time);
+  const panel = dimensions(box, live, say, locked);
+  const { shapes, hint } = modes(found("#drawing .lw"), drawing, say);
+  let waiting = false;
+  const update = (): void => {
+    waiting = false;
+    const now = live.changed ? sceneOf(scene, live) : original;
+    drawing.update(now, live.changed ? original : null);
+    charts.update(plotsOf(plots, live));
+    panel.update();
+    state.update(now);
+  };
+  live.on(() => {
+    if (!waiting) requestAnimationFrame(update);
+    waiting = true;
+  });
+  dragging({
+    live,
+    drawing,
+    held: panel.held,
+    shapes,
+    said: (off) => {
+      hint.hidden = off === null;
+      const far = off === null ? "" : `${written(off / live.data.length)} ${scene.length_unit}`;
+      hint.textContent = say("live.out_of_reach").replace("{off}", far);
+    },
+  });
+  panel.update();
+  state.update(original);
+}
+
+/** The choice of what a drag does, above the drawing's controls, and the place where a drag says what hinders it. */
+function modes(root: Element, drawing: Drawing, say: (key: string) => string): { shapes(): boolean; hint: HTMLElement } {
+  const bar = html("div", { class: "lw-modes", role: "group", "aria-label": say("live.drag") });
+  root.insertBefore(bar, root.querySelector(".lw-bar"));
+  html("span", {}, bar, say("live.drag"));
+  const buttons = (["shape", "move"] as const).map((mode) => {
+    const button = html("button", { type: "button", "aria-pressed": String(mode === "shape") }, bar, say(`live.${mode}`));
+    button.addEventListener("click", () => {
+      for (const each of buttons) each.setAttribute("aria-pressed", String(each === button));
+    });
+    return button;
+  });
+  const hint = html("output", { class: "lw-hint", hidden: "" }, bar);
+  drawing.picture.classList.add("lw-live");
+  return { shapes: () => buttons[0]!.getAttribute("aria-pressed") === "true", hint };
+}

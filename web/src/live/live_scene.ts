@@ -1,0 +1,61 @@
+// The scene and the plots of a motion that the page computed.
+
+import type { LinkData, Plot, Point, PoseRows, Scene, Values } from "../scene/data.ts";
+import type { Motion } from "../program/mechanism.ts";
+import type { LiveModel } from "./live_model.ts";
+
+/** A row in another unit. */
+const scaled = (row: Float64Array, size: number): Float64Array => row.map((value) => value / size);
+
+/** `base` in the motion of the moment: where links are, their shapes, the paths of points; where it can't close, links
+ * as near to it as they come. */
+export function sceneOf(base: Scene, live: LiveModel, motion: Motion = live.motion): Scene {
+  const { data, mechanism } = live;
+  const rows = motion.failure ? mechanism.nearest(motion) : motion.rows;
+  const shape = mechanism.shape(motion.parameters);
+  let next = 0;
+  const coordinate = (): number => shape[next++]! / data.length;
+  const links = base.links.map((link): LinkData => {
+    const points = Object.fromEntries(
+      Object.keys(link.points).map((name): [string, Point] => [name, [coordinate(), coordinate()]]),
+    );
+    const { outlines, ...rest } = link;
+    const same = motion === live.original && outlines;
+    return { ...rest, points, pose: poseOf(link, data.poses, rows, data.length), ...(same ? { outlines } : {}) };
+  });
+  const joints = base.joints.map((joint) =>
+    joint.kind === "prismatic" ? { ...joint, angles: [shape[next++]!, shape[next++]!] as const } : joint,
+  );
+  const traces = base.traces.map(({ name }) => ({
+    name,
+    x: scaled(live.signal(`${name}.x`, motion)!, data.length),
+    y: scaled(live.signal(`${name}.y`, motion)!, data.length),
+  }));
+  const scene = { ...base, links, joints, traces, time: data.times.map((time) => time / data.second) };
+  return motion.failure ? { ...scene, open: openings(motion, data.times.length) } : scene;
+}
+
+function poseOf(link: LinkData, poses: readonly string[], rows: readonly Float64Array[], size: number): PoseRows {
+  const at = 4 * poses.indexOf(link.name);
+  if (at < 0) return { x: [0], y: [0], c: [1], s: [0] };
+  return { x: scaled(rows[at]!, size), y: scaled(rows[at + 1]!, size), c: rows[at + 2]!, s: rows[at + 3]! };
+}
+
+/** At which poses some link has no place of its own. */
+const openings = (motion: Motion, count: number): boolean[] =>
+  Array.from({ length: count }, (_, k) => motion.rows.some((row) => !Number.isFinite(row[k]!)));
+
+/** `base` with the values of the moment; null where there is none. */
+export function plotsOf(base: readonly Plot[], live: LiveModel): Plot[] {
+  return base.map((plot) => ({
+    ...plot,
+    series: plot.series.map((series) => ({ ...series, values: shownValues(live, series.name) })),
+  }));
+}
+
+/** A signal in the unit in which the page shows it. */
+export function shownValues(live: LiveModel, name: string): Values {
+  const row = live.signal(name);
+  const size = live.data.sizes[live.data.signals.indexOf(name)]!;
+  return row ? Array.from(row, (value) => (Number.isFinite(value) ? value / size : null)) : [];
+}

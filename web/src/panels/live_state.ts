@@ -1,0 +1,78 @@
+// What the page says of a model that was changed: that nothing verifies it, what it can't do, how to get back, and the
+// lines of the file that would make it so.
+
+import { html } from "../drawing/elements.ts";
+import type { Say } from "../drawing/words.ts";
+import type { LiveModel } from "../live/live_model.ts";
+import { changedLines } from "../live/changed_lines.ts";
+import { closureError } from "../live/closure_error.ts";
+import type { Scene, TimeAxis } from "../scene/data.ts";
+import { copy } from "./copy.ts";
+import { written } from "./dimensions.ts";
+
+export interface LiveState {
+  update(scene: Scene): void;
+}
+
+/** Fills the boxes: a badge in the page's head, and a bar above the numbers. */
+export function liveState(
+  badges: Element,
+  bar: Element,
+  live: LiveModel,
+  say: Say,
+  time: Pick<TimeAxis, "unit">,
+): LiveState {
+  const badge = html("span", { class: "mark changed", role: "status", hidden: "" }, badges);
+  const line = html("p", { class: "live-line", role: "status" }, bar);
+  const tools = html("p", { class: "live-tools screen" }, bar);
+  const tool = (key: string, act: () => void): HTMLButtonElement => {
+    const button = html("button", { type: "button" }, tools, say(key));
+    button.addEventListener("click", act);
+    return button;
+  };
+  const reset = tool("live.reset", () => live.reset());
+  const back = tool("live.back", () => live.back());
+  const copied = tool("live.copy", async () => {
+    await copy(changedLines(live).join("\n"));
+    copied.textContent = say("copied");
+    setTimeout(() => (copied.textContent = say("live.copy")), 2000);
+  });
+  const lines = html("pre", { class: "live-lines" }, bar);
+  const update = (scene: Scene): void => {
+    const { changed, motion } = live;
+    document.documentElement.classList.toggle("live-changed", changed);
+    badge.hidden = !changed;
+    badge.textContent = `◐ ${say("live.changed")}`;
+    for (const button of [reset, copied]) button.hidden = !changed;
+    back.hidden = !motion.failure;
+    lines.hidden = !changed;
+    lines.textContent = changed ? changedLines(live).join("\n") : "";
+    line.hidden = !changed && live.sound;
+    line.classList.toggle("bad", Boolean(motion.failure) || !live.sound);
+    line.textContent = live.sound ? stateLine(live, say, time, scene) : say("live.unsound");
+  };
+  return { update };
+}
+
+/** What there is to say of the motion of the moment, in a sentence. */
+function stateLine(live: LiveModel, say: Say, { unit }: Pick<TimeAxis, "unit">, scene: Scene): string {
+  const { data, motion } = live;
+  const { failure } = motion;
+  if (!failure) {
+    const error = closureError(scene);
+    return filled(say("live.closes"), { error: error.toExponential(1) });
+  }
+  const names: Record<string, string | undefined> = {
+    parameter: data.parameters[failure.index],
+    drive: data.drives[failure.index],
+    group: data.program.groups[failure.index],
+    higher: data.program.higher[failure.index]?.group,
+    number: "",
+  };
+  const at = `${written(data.times[failure.pose]! / data.second)} ${unit}`;
+  return filled(say(`live.failed_${failure.kind}`), { name: names[failure.kind] ?? "", time: at });
+}
+
+/** A text with its places filled in: {name}. */
+const filled = (text: string, data: Readonly<Record<string, string>>): string =>
+  text.replace(/\{(\w+)\}/g, (_, key: string) => data[key] ?? "");
