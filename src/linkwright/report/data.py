@@ -1,7 +1,8 @@
 """What a report shows: plain data, in the file's display units, that also is its JSON payload.
 
-Every part is a typed dict so that the same object feeds the page, a notebook widget and a test. Sequences
-are plain Python numbers; ``None`` stands for "no value here" (a pose that can't be assembled).
+Every part is a typed dict so that the same object feeds the page, a notebook widget and a test; the page's scripts have
+the same types (``web/src/scene/data.ts``). Sequences are plain Python numbers; ``None`` stands for "no value here" (a
+pose that can't be assembled).
 """
 
 from __future__ import annotations
