@@ -12,6 +12,7 @@ from types import ModuleType
 
 import pytest
 
+from linkwright.report import data
 from linkwright.report.page import SCRIPT_WORDS
 
 ROOT = Path(__file__).parents[1]
@@ -80,6 +81,28 @@ def test_scripts_ask_for_the_words_that_the_page_gives() -> None:
     asked = {f"report.{key}" for call in re.findall(r"\bsay\((.*?)\)", text) for key in re.findall(r'"(\w+)"', call)}
     asked |= set(re.findall(r'"(report\.\w+)"', text))
     assert asked == set(SCRIPT_WORDS)
+
+
+TYPES = {
+    "PoseRows": data.Pose,
+    "LinkData": data.LinkData,
+    "PrismaticJoint": data.JointData,
+    "Trace": data.Trace,
+    "Centrode": data.Centrode,
+    "SpringData": data.SpringData,
+    "AreaData": data.AreaData,
+    "Scene": data.Scene,
+    "TimeAxis": data.Time,
+    "Series": data.Series,
+    "Plot": data.Plot,
+}
+
+
+@pytest.mark.parametrize("name", TYPES)
+def test_types_of_the_data_have_the_same_fields_on_both_sides(name: str) -> None:
+    text = (ROOT / "web" / "src" / "scene" / "data.ts").read_text(encoding="utf-8")
+    (fields,) = re.findall(rf"^export interface {name} {{\n(.*?)^}}", text, re.MULTILINE | re.DOTALL)
+    assert set(re.findall(r"^  readonly (\w+)\??:", fields, re.MULTILINE)) == set(TYPES[name].__annotations__)
 
 
 def test_other_arguments_are_an_error(web: ModuleType, capsys: pytest.CaptureFixture[str]) -> None:

@@ -132,7 +132,7 @@ def main(arguments: list[str]) -> int:
         if not arguments:
             build(program, PACKAGE)
             return 0
-        run("tests of web/ failed", program, "--test", "--test-reporter=dot", "test/*.test.ts")
+        run("tests of web/ failed", program, "--test", "--test-reporter=dot", "test/**/*.test.ts")
         with tempfile.TemporaryDirectory() as folder:
             build(program, Path(folder))
             if names := stale(Path(folder)):

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from linkwright.kernels.live import live
 from numpy.typing import NDArray
 
 from helpers.examples import four_bar, heavy_four_bar
@@ -17,7 +18,6 @@ from linkwright.compilation import compile_mechanism
 from linkwright.expressions import units as u
 from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
-from linkwright.kernels.live import live
 from linkwright.kernels.numpy_blocks import NumpyKernel
 from linkwright.measures import measure_all
 from linkwright.model.document import Document, load, parse_document, plain

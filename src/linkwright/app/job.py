@@ -293,7 +293,9 @@ def _folder(examined: Examined, path: Path, how: Writing) -> ResultsFolder:
 def _write(job: Job, folder: ResultsFolder, how: Writing) -> None:
     document = job.examined.document
     if document is not None and drawn(job.outcomes) is not None:
-        folder.write(REPORT, page(report_data(document, job.outcomes, job.examined.findings, job.examined.origin)))
+        examined = job.examined
+        data = report_data(document, job.outcomes, examined.findings, examined.origin, examined.source.text)
+        folder.write(REPORT, page(data))
     for study, outcome in job.outcomes.items():
         for name, file in how.files(STUDIES[study]).items():
             if (made := file.make(outcome)) is not None:

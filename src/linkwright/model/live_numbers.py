@@ -25,7 +25,8 @@ LEAST = 0.01
 class LiveNumber(TypedDict):
     """A number by the ``name`` of its parameter.
 
-    ``value``, ``low`` and ``high`` are in SI, ``size`` is the SI value of its ``unit``. ``path`` is its place in the
+    ``value``, ``low`` and ``high`` are in SI, and so are the limits of its ``tolerance``; ``size`` is the SI value of
+    its ``unit``. ``path`` is its place in the
     model, ``label`` that in short. ``line`` counts from 1; ``start`` and ``end`` are the columns of its ``digits`` in
     that line, in code points from 0.
     """
@@ -38,6 +39,7 @@ class LiveNumber(TypedDict):
     size: float
     low: float
     high: float
+    tolerance: list[float] | None
     line: int
     start: int
     end: int
@@ -50,6 +52,7 @@ def live_numbers(named: NamedNumbers, text: str) -> list[LiveNumber]:
     found: list[LiveNumber] = []
     for name, span in sorted(spans.items(), key=lambda item: item[1].start):
         low, high = _range(named, name, span, signs.get(name, Sign.ANY))
+        tolerance = _tolerance(named, name)
         found.append(
             {
                 "name": name,
@@ -60,6 +63,7 @@ def live_numbers(named: NamedNumbers, text: str) -> list[LiveNumber]:
                 "size": span.size,
                 "low": low,
                 "high": high,
+                "tolerance": tolerance,
                 "line": span.line,
                 "start": span.column,
                 "end": span.column + len(span.digits),
@@ -86,13 +90,10 @@ def _signs(named: NamedNumbers) -> dict[str, Sign]:
 
 
 def _range(named: NamedNumbers, name: str, span: NumberSpan, sign: Sign) -> tuple[float, float]:
-    """From where to where a number may be moved (SI): within its tolerance, else by a share of its value."""
+    """From where to where a number may be moved (SI): by a share of its value."""
     value, dimension = named.quantities.parameters[name], named.quantities.dimensions.of(name)
-    limits = _limits(named, name, value, dimension)
-    if limits is None:
-        reach = SHARE * abs(value) or _reach(named, dimension, span.size)
-        limits = value - reach, value + reach
-    low, high = limits
+    reach = SHARE * abs(value) or _reach(named, dimension, span.size)
+    low, high = value - reach, value + reach
     if sign is Sign.NOT_NEGATIVE:
         low = max(low, 0.0)
     elif sign is Sign.POSITIVE:
@@ -100,21 +101,22 @@ def _range(named: NamedNumbers, name: str, span: NumberSpan, sign: Sign) -> tupl
     return low, high
 
 
-def _limits(named: NamedNumbers, name: str, value: float, dimension: Dimension) -> tuple[float, float] | None:
-    """The limits of a parameter's tolerance, where it has one."""
+def _tolerance(named: NamedNumbers, name: str) -> list[float] | None:
+    """The limits of a parameter's tolerance (SI), where it has one."""
+    value, dimension = named.quantities.parameters[name], named.quantities.dimensions.of(name)
     stated = named.mechanism.parameters.get(name)
     limits = full_tolerance(stated.tolerance).limits if stated is not None else None
     if isinstance(limits, ClassName):
         if dimension == LENGTH:
             with contextlib.suppress(NoTolerance):
                 low, high = limits.found.limits(abs(value))
-                return value + low, value + high
+                return [value + low, value + high]
         return None
     if limits is None:
         return None
     ends = [limits] if isinstance(limits, Expression) else [*limits]
     off = [named.quantities.value(end, dimension) for end in ends]
-    return value + (off[0] if len(off) == 2 else -off[0]), value + off[-1]
+    return [value + (off[0] if len(off) == 2 else -off[0]), value + off[-1]]
 
 
 def _reach(named: NamedNumbers, dimension: Dimension, unit: float) -> float:

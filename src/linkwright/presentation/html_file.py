@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from importlib.resources import files
 from typing import Any
 
@@ -18,7 +18,7 @@ def html_file(
     title: object,
     body: Callable[[], str],
     *,
-    data: object = None,
+    data: Mapping[str, object] | None = None,
     scripts: Sequence[str] = (),
     words: Callable[[], Any] = dict,
     style: str = "",
@@ -28,12 +28,12 @@ def html_file(
     """The text of an HTML file (UTF-8) with the style of all pages, in all languages, the present one first.
 
     ``title`` becomes plain text and ``body`` gives markup in the language of the moment. ``scripts`` are those that
-    follow, the only ones that run beside the choice of languages; they find ``data`` in the element of that id, and
+    follow, the only ones that run beside the choice of languages; they find ``data`` in elements of these ids, and
     ``words`` as ``linkwrightWords``. ``style`` stands after the common one, ``before`` before it; ``kind`` is the
     body's class.
     """
     scripts = (built(__package__, "assets/languages.js"), *scripts)
-    blocks = [*([] if data is None else [data_block("data", data)]), *map(element, scripts)]
+    blocks = [*(data_block(name, value) for name, value in (data or {}).items()), *map(element, scripts)]
     lines = "\n".join(blocks)
     of_kind = f' class="{kind}"' if kind else ""
     return f"""<!DOCTYPE html>

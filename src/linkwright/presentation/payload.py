@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 from linkwright.escape import script
 from linkwright.findings import Said
@@ -30,9 +31,28 @@ def compact(value: object) -> object:
     return value
 
 
+@dataclass(frozen=True)
+class Exact:
+    """Plain data whose numbers keep all their digits."""
+
+    value: object
+
+
 def script_json(value: object) -> str:
     """JSON text that is safe inside a script element."""
-    return script(json.dumps(compact(value), ensure_ascii=False, allow_nan=False, separators=(",", ":")))
+    plain = _worded(value.value) if isinstance(value, Exact) else compact(value)
+    return script(json.dumps(plain, ensure_ascii=False, allow_nan=False, separators=(",", ":")))
+
+
+def _worded(value: object) -> object:
+    """Plain data with its texts in words."""
+    if isinstance(value, Said):
+        return str(value)
+    if isinstance(value, Mapping):
+        return {str(key): _worded(entry) for key, entry in value.items()}
+    if isinstance(value, Sequence) and not isinstance(value, str):
+        return [_worded(entry) for entry in value]
+    return value
 
 
 def data_block(name: str, value: object) -> str:

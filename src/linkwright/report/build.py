@@ -32,6 +32,7 @@ from linkwright.report.data import (
     Trace,
 )
 from linkwright.report.joint_shapes import joint_shapes
+from linkwright.report.live import live_data
 from linkwright.report.structure_summary import facts
 from linkwright.report.summary import drawn, found
 from linkwright.results import Result
@@ -54,16 +55,20 @@ def report_data(
     outcomes: Outcomes,
     examined: Sequence[Finding] = (),
     origin: Origin | None = None,
+    text: str | None = None,
 ) -> ReportData:
     """Everything that the report of some outcomes shows, in the file's units. One of them has something to draw.
 
-    ``examined`` are the findings on the file itself. Without an ``origin`` it is that of a document made in Python.
+    ``examined`` are the findings on the file itself, ``text`` is what stands in it. Without an ``origin`` it is that of
+    a document made in Python.
     """
     origin = origin or Origin(None, hashed(dump(document).encode()))
     whole, shown = drawn(outcomes), outcomes.reports()
     assert whole is not None
     result = whole.thinned(MAX_STEPS)
     findings = [*examined, *found(outcomes)]
+    picture, curves = scene(result), plots(result) if result.t[-1] > result.t[0] else []
+    text = dump(document) if text is None else text
     data: ReportData = {
         "title": document.title,
         "subtitle": without_hanzi_spaces(document.note or ""),
@@ -71,13 +76,14 @@ def report_data(
         "origin": origin_text(origin),
         "version": origin.version,
         "time": axis(result),
-        "scene": scene(result),
-        "plots": plots(result) if result.t[-1] > result.t[0] else [],
+        "scene": picture,
+        "plots": curves,
+        "live": live_data(document, text, result, picture, curves),
         "sections": [section for one in shown for section in one.sections],
         "structure": facts(result.run.compiled),
         "failures": [_failure(finding) for finding in findings if finding.severity != "note"],
         "notes": [_failure(finding) for finding in findings if finding.severity == "note"],
-        "model_text": dump(document),
+        "model_text": text,
     }
     if areas := [area for one in shown for area in one.areas]:
         data["scene"]["areas"] = [{"name": area.name, "rings": area.rings} for area in areas]

@@ -1,7 +1,8 @@
 """What a report shows: plain data, in the file's display units, that also is its JSON payload.
 
-Every part is a typed dict so that the same object feeds the page, a notebook widget and a test. Sequences
-are plain Python numbers; ``None`` stands for "no value here" (a pose that can't be assembled).
+Every part is a typed dict so that the same object feeds the page, a notebook widget and a test; the page's scripts have
+the same types (``web/src/scene/data.ts``). Sequences are plain Python numbers; ``None`` stands for "no value here" (a
+pose that can't be assembled).
 """
 
 from __future__ import annotations
@@ -144,9 +145,62 @@ class Failure(TypedDict):
     mend: Text
 
 
+class LiveNumber(TypedDict):
+    """A number of the model file that can be moved in the page.
+
+    ``label`` is its place in short; ``value`` and the bounds ``low`` and ``high``, those of its ``tolerance``, and
+    ``scale``, by which changes of numbers are compared, are in SI; ``size`` is the SI value of its ``unit``. A
+    ``named`` one is a parameter. ``locked`` says why it can't be moved. ``line`` (from 1), ``start`` and ``end`` are
+    where its digits stand in the file.
+    """
+
+    name: str
+    label: str
+    value: float
+    low: float
+    high: float
+    tolerance: Sequence[float] | None
+    scale: float
+    unit: str
+    size: float
+    named: bool
+    locked: Text
+    line: int
+    start: int
+    end: int
+
+
+class LiveData(TypedDict):
+    """What the page needs to compute all values itself. Times in s, values in SI.
+
+    ``code``: the programs as JavaScript. ``program``: what joins them. ``length`` and ``second``: SI sizes of the
+    report's units. ``poses``: the links whose poses come first among the programs' outputs, four rows each;
+    ``signals``: the names of the rows behind them, with the ``sizes`` of their units; ``wrapped`` are the numbers of
+    those that are angles without whole turns. ``probes``: a value of each row, which the page must find too.
+    ``numbers``: what can be moved, and the ``lines`` of the file where it stands, by their number. ``drives`` and
+    ``parameters`` by their number.
+    """
+
+    code: str
+    program: Mapping[str, object]
+    times: Sequence[float]
+    length: float
+    second: float
+    poses: Sequence[str]
+    signals: Sequence[str]
+    sizes: Sequence[float]
+    wrapped: Sequence[int]
+    probes: Values
+    numbers: Sequence[LiveNumber]
+    lines: Mapping[str, str]
+    drives: Sequence[str]
+    parameters: Sequence[str]
+
+
 class ReportData(TypedDict):
     """Everything on the page. Sentences: ``source``, what the mechanism is taken from; ``origin``, model file, hash,
-    date and version. ``sections``: what the studies show."""
+    date and version. ``sections``: what the studies show. With ``live`` the page computes the values of scene and plots
+    itself."""
 
     title: str
     subtitle: str
@@ -158,6 +212,7 @@ class ReportData(TypedDict):
     plots: Sequence[Plot]
     sections: Sequence[Section]
     structure: Sequence[Fact]
+    live: NotRequired[LiveData | None]
     failures: Sequence[Failure]
     notes: NotRequired[Sequence[Failure]]
     model_text: str

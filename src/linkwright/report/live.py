@@ -1,47 +1,28 @@
 """What a report needs to compute its mechanism itself: programs in place of tables, and the numbers that can be moved.
 
-Where it can't, the report shows what was recorded: a sweep of a drive, a structure that stands, a motion through change
-points, whose branches hold at the nominal parameters alone.
+All numbers that stand in the model file are parameters of these programs. Where a page can't compute a motion it shows
+what was recorded: a sweep of a drive, a structure that stands, a motion through change points, whose branches hold at
+the nominal parameters alone.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from typing import Any, TypedDict
+from collections.abc import Sequence
 
-import numpy as np
-
-from linkwright.expressions.units import LENGTH
-from linkwright.graph.rows import Named
-from linkwright.kernels.page_programs import PagePrograms
+from linkwright.compilation import compile_mechanism
+from linkwright.expressions.units import ANGLE, LENGTH, TIME
+from linkwright.findings import ModelError
+from linkwright.kernels.page_programs import PagePrograms, page_programs
+from linkwright.model.document import Document
+from linkwright.model.live_numbers import live_numbers
+from linkwright.model.named_numbers import NamedNumbers, named_numbers
 from linkwright.presentation.json_numbers import known
-from linkwright.report.data import Plot, Scene
+from linkwright.report.data import LiveData, LiveNumber, Plot, Scene
 from linkwright.results import Result
 from linkwright.studies.drive_sweep import Sweep
 
-PROBES = 7919
+PROBE = 7919
 """A prime: the pose at which the value of row i is compared is i times this, modulo the number of poses."""
-
-
-class LiveData(TypedDict):
-    """What the page's solver gets. Times in s, all values in SI.
-
-    ``code``: the programs' text. ``program``: what joins them. ``poses``: the links whose poses come first among the
-    outputs, four rows each. ``signals``: the names of the rows behind them, ``sizes`` their units in SI, ``wrapped``
-    those that are angles without whole turns. ``probes``: a value of each row, which the page must find too.
-    ``numbers``: what can be moved.
-    """
-
-    code: str
-    program: dict[str, Any]
-    times: Sequence[float]
-    length: float
-    poses: Sequence[str]
-    signals: Sequence[str]
-    sizes: Sequence[float]
-    wrapped: Sequence[int]
-    probes: Sequence[float | None]
-    numbers: Sequence[dict[str, Any]]
 
 
 def can_be_live(result: Result) -> bool:
@@ -50,41 +31,79 @@ def can_be_live(result: Result) -> bool:
     return not isinstance(run, Sweep) and run.start == 0.0 < run.stop and not run.compiled.passages.every
 
 
-def live_data(result: Result, scene: Scene, plots: Iterable[Plot]) -> LiveData:
-    """The data of a result whose report has this scene and these plots."""
-    compiled, graph = result.run.compiled, result.run.compiled.graph
+def live_data(document: Document, text: str, result: Result, scene: Scene, plots: Sequence[Plot]) -> LiveData | None:
+    """The data of a result that a report shows by this scene and these plots; ``text`` is that of the model file.
+    ``None`` where the page can't compute it."""
+    if not can_be_live(result):
+        return None
+    recorded, named = result.run.compiled, named_numbers(document)
+    try:
+        compiled = compile_mechanism(named.mechanism, recorded.folder)
+    except ModelError:  # a number that has to stand there as such
+        return None
     names = dict.fromkeys(f"{trace['name']}.{axis}" for trace in scene["traces"] for axis in "xy")
     names |= dict.fromkeys(series["name"] for plot in plots for series in plot["series"])
-    signals = [*names]
-    rows: list[Named] = [*graph.pose_rows, *signals]
-    made = PagePrograms(compiled, tuple(rows))
-    values = np.concatenate([compiled.evaluate(graph.pose_rows, result.t), [result[name] for name in signals]])
-    poses = np.arange(len(rows)) * PROBES % result.t.size
-    quantities = compiled.quantities
+    signals, quantities = [*names], recorded.quantities
+    made = page_programs(compiled, [*compiled.graph.pose_rows, *signals])
+    values = [*recorded.evaluate(recorded.graph.pose_rows, result.t), *(result[name] for name in signals)]
+    lines = text.splitlines()
+    numbers = _numbers(made, named, text)
     return {
         "code": made.code(),
         "program": made.data(),
         "times": result.t.tolist(),
         "length": quantities.unit_of(LENGTH)[1],
+        "second": quantities.unit_of(TIME)[1],
         "poses": list(compiled.structure.topology.moving),
         "signals": signals,
         "sizes": [quantities.unit_of(result.dimension(name))[1] for name in signals],
-        "wrapped": [i for i, name in enumerate(signals) if graph.wrapped(name)],
-        "probes": [known(float(row[pose])) for row, pose in zip(values, poses, strict=True)],
-        "numbers": numbers(made),
+        "wrapped": [i for i, name in enumerate(signals) if recorded.graph.wrapped(name)],
+        "probes": [known(float(row[i * PROBE % result.t.size])) for i, row in enumerate(values)],
+        "numbers": numbers,
+        "lines": {str(one["line"]): lines[one["line"] - 1] for one in numbers if one["line"]},
+        "drives": list(compiled.graph.drives),
+        "parameters": list(compiled.graph.parameters),
     }
 
 
-def numbers(made: PagePrograms) -> list[dict[str, Any]]:
-    """The free parameters, in their order: name, value and bounds (SI), unit with its size, whether it is locked."""
-    quantities = made.compiled.quantities
-    found = []
-    for name, value in zip(made.derived.inputs, made.values, strict=True):
-        unit, size = quantities.unit_of(quantities.dimensions.of(name))
-        low, high = sorted((0.5 * value, 1.5 * value))
+def _numbers(made: PagePrograms, named: NamedNumbers, text: str) -> list[LiveNumber]:
+    """The numbers that stand in the text and are free."""
+    found: list[LiveNumber] = []
+    free, stated = {*made.derived.inputs}, made.compiled.mechanism.parameters
+    scales = {LENGTH: made.compiled.assembly.size(), ANGLE: 1.0}
+    for one in live_numbers(named, text):
+        name = one["name"]
+        if name not in free:
+            continue
+        dimension = made.compiled.quantities.dimensions.of(name)
         why = made.locked.get(name)
-        locked = None if why is None else why.said("what")
         found.append(
-            {"name": name, "value": value, "low": low, "high": high, "unit": unit, "size": size, "locked": locked}
+            {
+                "name": name,
+                "label": one["label"],
+                "value": one["value"],
+                "low": one["low"],
+                "high": one["high"],
+                "tolerance": one["tolerance"],
+                "scale": scales.get(dimension, abs(one["value"]) or one["size"]),
+                "unit": one["unit"],
+                "size": one["size"],
+                "named": name not in named.numbers and name in stated,
+                "locked": "" if why is None else why.said("what"),
+                "line": one["line"],
+                "start": one["start"],
+                "end": one["end"],
+            }
         )
     return found
+
+
+def without_values(scene: Scene) -> dict[str, object]:
+    """A scene whose values the page computes."""
+    links = [{key: value for key, value in link.items() if key != "pose"} for link in scene["links"]]
+    return {**scene, "time": [], "links": links, "traces": [{"name": trace["name"]} for trace in scene["traces"]]}
+
+
+def without_series(plots: Sequence[Plot]) -> list[dict[str, object]]:
+    """Plots whose values the page computes."""
+    return [{**plot, "series": [{"name": series["name"]} for series in plot["series"]]} for plot in plots]

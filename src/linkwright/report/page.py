@@ -7,18 +7,44 @@ from functools import partial
 from linkwright.drawing.charts import named
 from linkwright.findings import Joined, Term, Text
 from linkwright.presentation.html_file import asset, html_file
+from linkwright.presentation.payload import Exact
 from linkwright.presentation.scripts import built
 from linkwright.report import sections
 from linkwright.report.data import Plot, ReportData
 from linkwright.report.html_blocks import section
+from linkwright.report.live import without_series, without_values
 from linkwright.words import say
 
+LIVE_WORDS = (
+    "back",
+    "changed",
+    "closes",
+    "copy",
+    "drag",
+    "failed_drive",
+    "failed_group",
+    "failed_higher",
+    "failed_number",
+    "failed_parameter",
+    "hold",
+    "move",
+    "others",
+    "out_of_reach",
+    "reset",
+    "reset_one",
+    "shape",
+    "unsound",
+    "within_tolerances",
+)
+PLACES = {name: f"{{{name}}}" for name in ("error", "name", "off", "time")}
+"""The places of the scripts' texts, which the scripts fill."""
 SCRIPT_WORDS = (
     "report.areas",
     "report.centrodes",
     "report.copied",
     "report.drawing",
     "report.link_names",
+    *(f"report.live.{key}" for key in LIVE_WORDS),
     "report.not_assembled",
     "report.paths",
     "report.pause",
@@ -32,11 +58,22 @@ SCRIPT_WORDS = (
 
 def page(data: ReportData) -> str:
     """The whole report as the text of an HTML file (UTF-8)."""
+    blocks: dict[str, object] = {"data": {"time": data["time"], "scene": data["scene"], "plots": data["plots"]}}
+    scripts = [f"/*! uPlot\n{asset(__package__, 'LICENSE.uplot.txt').strip()}\n*/\n{_built('report.js')}"]
+    if live := data.get("live"):
+        blocks["data"] = {
+            "time": {**data["time"], "values": []},
+            "scene": without_values(data["scene"]),
+            "plots": without_series(data["plots"]),
+            "live": True,
+        }
+        blocks["live"] = Exact({key: value for key, value in live.items() if key != "code"})
+        scripts.insert(0, f"globalThis.linkwrightPrograms={live['code']}")
     return html_file(
         data["title"],
         partial(_body, data),
-        data={"time": data["time"], "scene": data["scene"], "plots": data["plots"]},
-        scripts=[f"/*! uPlot\n{asset(__package__, 'LICENSE.uplot.txt').strip()}\n*/\n{_built('report.js')}"],
+        data=blocks,
+        scripts=scripts,
         words=partial(_words, data),
         before=_built("uplot.min.css") + "\n",
     )
@@ -51,6 +88,7 @@ def _body(data: ReportData) -> str:
             "<main>",
             sections.stage(data),
             '<div class="results">',
+            sections.dimensions(data),
             *map(section, data["sections"]),
             sections.plots(data),
             sections.structure(data),
@@ -65,11 +103,12 @@ def _body(data: ReportData) -> str:
 def _words(data: ReportData) -> dict[str, object]:
     """The words that the page's scripts read: texts by their keys, and what they show of the data in words."""
     return {
-        "texts": {key: say(key) for key in SCRIPT_WORDS},
+        "texts": {key: say(key, **PLACES) for key in SCRIPT_WORDS},
         "time": str(data["time"]["label"]),
         "axis": str(named(data["time"]["label"], data["time"]["unit"])),
         "titles": [str(plot["title"]) for plot in data["plots"]],
         "labels": [str(_label(plot)) for plot in data["plots"]],
+        "locked": [str(one["locked"]) for one in live["numbers"]] if (live := data.get("live")) else [],
         "areas": [str(area["name"]) for area in data["scene"].get("areas", ())],
     }
 

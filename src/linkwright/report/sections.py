@@ -33,7 +33,7 @@ def header(data: ReportData) -> str:
     return (
         f"<header><h1>{markup(data['title'])}</h1>{subtitle}{source}"
         f'<p class="origin">{markup(data["origin"])}</p>'
-        f'<p class="summary">{" ".join(badges)}</p>{_contents(data)}</header>'
+        f'<p class="summary" id="state">{" ".join(badges)}</p>{_contents(data)}</header>'
     )
 
 
@@ -48,7 +48,8 @@ def checks_of(data: ReportData) -> list[Check]:
 
 
 def _contents(data: ReportData) -> str:
-    parts = [("mechanism", True), *((part.name, part.shown) for part in data["sections"])]
+    studies = [(part.name, part.shown) for part in data["sections"]]
+    parts = [("mechanism", True), ("dimensions", bool(data.get("live"))), *studies]
     parts += [(group, any(plot["group"] == group for plot in data["plots"])) for group in GROUPS]
     parts += [("structure", bool(data["structure"])), ("model", bool(data["model_text"]))]
     links = (f'<a href="#{name}">{markup(say(f"report.{name}"))}</a>' for name, here in parts if here)
@@ -91,6 +92,14 @@ def stage(data: ReportData) -> str:
         f"<figcaption>{markup(say('report.still'))}</figcaption></figure>"
         f"<noscript><p>{markup(say('report.no_script'))}</p></noscript></section>"
     )
+
+
+def dimensions(data: ReportData) -> str:
+    """The place of the numbers that can be moved; the script fills it."""
+    if not data.get("live"):
+        return ""
+    title = markup(say("report.dimensions"))
+    return f'<section id="dimensions"><h2>{title}</h2><div id="numbers" class="panel"></div></section>'
 
 
 def structure(data: ReportData) -> str:
