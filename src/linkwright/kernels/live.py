@@ -60,9 +60,9 @@ class Live:
         }
 
 
-def live(compiled: Compiled, names: Sequence[Named], times: Array) -> Live:
-    """Signals of a mechanism over times (s) as a page can compute them."""
-    program = compiled.graph.program(list(names), solve=True)
+def live(compiled: Compiled, names: Sequence[Named], times: Array, rates: bool = False) -> Live:
+    """Signals of a mechanism over times (s) as a page can compute them; with ``rates``, each followed by its rate."""
+    program = compiled.graph.program(list(names), rates, solve=True)
     derived, quantities = derived_parameters(compiled.quantities), compiled.quantities
     x = compiled.inputs(times, starts=True)
     held = tuple(_held(compiled, program))
