@@ -34,6 +34,9 @@ Rows = Callable[[Named], tuple[Sequence[float], Sequence[float]]]
 NO_RULE, NEEDS_TIME, NEEDS_TABLE = "measure.live.rule", "measure.live.time", "measure.live.table"
 """Why a measure isn't live: its reduction has no rule on samples; the program has no input for the time, for a table."""
 
+BESIDE = 1e-10
+"""A kink is sampled this share of the run before and after it."""
+
 
 @dataclass(frozen=True)
 class LiveRow:
@@ -200,15 +203,17 @@ def sampled_times(run: Run, steps: int) -> Array:
     """Times (s) at which a page samples a run: equal steps, both sides of jumps of loads, kinks of forces, and ends of
     windows in time, as far as these are no more than the steps. No feature that stays in its place then lies between
     samples."""
-    quantities = run.compiled.quantities
+    quantities, length = run.compiled.quantities, run.stop - run.start
     windows = (quantities.window(name) for name in quantities.mechanism.windows)
-    ends = [quantities.value(end, w.dimension) for w in windows if w.node is None for end in w.ends]
-    more = np.array([t for t in ends if run.start < t < run.stop])
-    if 2 * len(run.jumps) + len(run.breaks) <= steps:
-        more = np.concatenate([more, run.breaks, run.jumps.ravel()])
-    t = np.union1d(np.linspace(run.start, run.stop, steps + 1), more)
-    for before, after in run.jumps:
-        t = t[(t <= before) | (t >= after)]
+    ends = [quantities.value(end, window.dimension) for window in windows if window.node is None for end in window.ends]
+    sides = np.concatenate([run.jumps.ravel(), run.breaks - BESIDE * length, run.breaks + BESIDE * length])
+    t = np.union1d(np.linspace(run.start, run.stop, steps + 1), ends)
+    # A break is sampled beside it, where rates are those of its sides, and not between them.
+    if sides.size <= steps:
+        apart = np.abs(t[:, None] - run.breaks).min(axis=1, initial=np.inf) > BESIDE * length
+        t = np.union1d(t[apart | (t == run.start) | (t == run.stop)], sides)
+        for before, after in run.jumps:
+            t = t[(t <= before) | (t >= after)]
     return np.asarray(t[(t >= run.start) & (t <= run.stop)])
 
 
