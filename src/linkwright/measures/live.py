@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from math import isfinite
+from math import isfinite, nan
 from typing import Any
 
 import numpy as np
@@ -32,7 +32,7 @@ Rows = Callable[[Named], tuple[Sequence[float], Sequence[float]]]
 """Values and rates of a row on the samples."""
 
 NO_RULE, NEEDS_TIME, NEEDS_TABLE = "measure.live.rule", "measure.live.time", "measure.live.table"
-"""Why a measure isn't live: its reduction has no rule on samples; the program has no input for the time, for a table."""
+"""Why a measure isn't live: its reduction has no rule on samples; the program lacks the time, or a table, as input."""
 
 BESIDE = 1e-10
 """A kink is sampled this share of the run before and after it."""
@@ -62,8 +62,8 @@ class LiveNumber:
 
 @dataclass(frozen=True)
 class LiveWindow:
-    """The row of a window's signal, ``None`` for the time, and the ends between which it lies; ``turning``: or any whole
-    turns from there."""
+    """The row of a window's signal, ``None`` for the time, and the ends between which it lies; with ``turning``, also
+    any whole turns from there."""
 
     row: LiveRow | None
     ends: tuple[LiveNumber, LiveNumber]
@@ -140,6 +140,8 @@ class LiveMeasure:
         figures = sound(self.measure.kind.sampled(samples))
         if figures is not None and self.wrap is not None:
             low, high = (end.on(rows) for end in self.wrap)
+            if not (isfinite(low) and isfinite(high) and low < high):
+                return None
             figures = {key: one._replace(value=wrapped(one.value, low, high)) for key, one in figures.items()}
         return figures
 
@@ -163,7 +165,10 @@ class LiveMeasure:
         """All of it to be written as JSON, rows by their numbers in a program."""
 
         def number(one: LiveNumber | None) -> Any:
-            return one and {"value": one.value, "row": None if one.row is None else index[one.row]}
+            return one and {
+                "value": one.value if isfinite(one.value) else None,
+                "row": None if one.row is None else index[one.row],
+            }
 
         def row(one: LiveRow | None) -> Any:
             return one and {"row": index[one.row], "jumps": one.jumps, "angle": one.angle}
@@ -246,7 +251,8 @@ class _Reader:
         if (reason := self.reason(looked_at)) is not None:
             return LiveMeasure(measure, unit, size, reason, requirement=requirement)
         dimension = quantities.dimensions.dimension(measure.entry.signal.node)
-        wrap = measure.entry.wrap
+        stated, kind = measure.entry.wrap, measure.dimension
+        wrap = None if stated is None else (self.number(stated[0], kind), self.number(stated[1], kind))
         return LiveMeasure(
             measure,
             unit,
@@ -257,7 +263,7 @@ class _Reader:
             self.window(),
             {key: self.number(expression, dimension) for key, expression in inputs.numbers.items()},
             inputs.words,
-            None if wrap is None else (self.number(wrap[0], measure.dimension), self.number(wrap[1], measure.dimension)),
+            wrap,
             requirement,
         )
 
@@ -284,8 +290,7 @@ class _Reader:
     def row(self, tree: Node, dimension: Dimension) -> LiveRow:
         named = self.named(tree)
         changes = [whole_change(tree, angle, self.canonical) for angle in self.angles([tree])]
-        jumps = any(change != 0 for change in changes) and all(change == round(change) for change in changes if change == change)
-        return LiveRow(named, jumps, dimension == ANGLE)
+        return LiveRow(named, any(change != 0 and is_whole(change) for change in changes), dimension == ANGLE)
 
     def named(self, tree: Node) -> Named:
         """The row of an expression: of a signal alone that of the signal, which plots have too."""
@@ -304,7 +309,7 @@ class _Reader:
         found = []
         for angle in self.angles(trees):
             changes = [whole_change(tree, angle, self.canonical) for tree in trees]
-            if any(change != change or change != round(change) for change in changes):
+            if not all(map(is_whole, changes)):
                 found.append(angle)
         return tuple(found)
 
@@ -343,8 +348,7 @@ def whole_change(node: Node, angle: str, canonical: Callable[[Name | Call], str]
         changes = [whole_change(argument, angle, canonical) for argument in node.args]
         if all(change == 0 for change in changes):
             return 0.0
-        periodic = node.name in ("sin", "cos", "tan") and changes[0] == round(changes[0]) if isfinite(changes[0]) else False
-        return 0.0 if periodic else float("nan")
+        return 0.0 if node.name in ("sin", "cos", "tan") and is_whole(changes[0]) else nan
     if isinstance(node, Binary):
         left, right = (whole_change(part, angle, canonical) for part in (node.left, node.right))
         if node.op in "+-":
@@ -352,8 +356,13 @@ def whole_change(node: Node, angle: str, canonical: Callable[[Name | Call], str]
         if left == right == 0:
             return 0.0
         if isinstance(node.right, Number) and node.op in "*/":
-            return left * node.right.value if node.op == "*" else left / (node.right.value or float("nan"))
+            return left * node.right.value if node.op == "*" else left / (node.right.value or nan)
         if isinstance(node.left, Number) and node.op == "*":
             return right * node.left.value
-        return float("nan")
+        return nan
     return 0.0
+
+
+def is_whole(change: float) -> bool:
+    """Whether a change is one of whole turns."""
+    return isfinite(change) and change == round(change)

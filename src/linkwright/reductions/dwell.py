@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from math import isinf
 from typing import Annotated, Any
 
 import numpy as np
@@ -218,5 +219,8 @@ class OnCubics(TurningCourse):
         return self.known
 
     def _when(self, piece: Array, level: Array) -> Array:
-        t, places = self.turning.tolist(), zip(piece.tolist(), level.tolist(), strict=True)
-        return np.array([self.signal.when(t[i], t[i + 1], wanted) for i, wanted in places])
+        found = []
+        for i, wanted in zip(piece.tolist(), level.tolist(), strict=True):
+            a, b = self.turning[i : i + 2].tolist()
+            found.append((b if wanted > 0 else a) if isinf(wanted) else self.signal.when(a, b, wanted))
+        return np.array(found)

@@ -24,6 +24,8 @@ GAUSS = (
 LEVEL = 1e-14
 """A signal that comes back by less than this share of its size hasn't turned."""
 MOST_LOOKS = 60
+MOST_TURNS = 1000
+"""An angle that turns further can't be looked at on samples."""
 
 
 class Interpolant:
@@ -231,14 +233,15 @@ def _turns(c: tuple[float, float, float, float]) -> list[float]:
 
 def whole_turns(t: Sequence[float], values: Sequence[float], rates: Sequence[float]) -> list[float]:
     """How many turns an angle that is known without whole turns has made since the first sample, by its rates; NaN
-    after a gap, as nobody knows what it did there."""
+    after a gap or a step of more than a turn, as nobody knows what it did there."""
     turns, found, begun = 0.0, list[float](), False
     for i in range(len(t)):
         known = isfinite(values[i])
         if begun and known:
             turned = (t[i] - t[i - 1]) * (rates[i - 1] + rates[i]) / 2
-            change = values[i] - values[i - 1] - (turned if isfinite(turned) else 0.0)
-            turns -= floor(change / (2 * pi) + 0.5) if isfinite(change) else nan
+            turned = turned if isfinite(turned) else 0.0
+            change = values[i] - values[i - 1] - turned
+            turns -= floor(change / (2 * pi) + 0.5) if isfinite(change) and abs(turned) <= 2 * pi else nan
         elif begun:
             turns = nan
         begun = begun or known
@@ -250,6 +253,12 @@ def continuous(t: Sequence[float], values: Sequence[float], rates: Sequence[floa
     """Such an angle (rad) without jumps, from its first value."""
     turns = whole_turns(t, values, rates)
     return [v + 2 * pi * k for v, k in zip(values, turns, strict=True)]
+
+
+def turned_levels(edge: float, least: float, most: float) -> list[float]:
+    """The levels that are whole turns from an edge and lie around ``least`` .. ``most``; none of too many."""
+    first, last = floor((least - edge) / (2 * pi)), floor((most - edge) / (2 * pi)) + 1
+    return [edge + 2 * pi * k for k in range(first, last + 1)] if last - first < MOST_TURNS else []
 
 
 def integral(stretches: Sequence[Interval], signal: Interpolant, value: Callable[[int, float], float]) -> float:

@@ -13,7 +13,7 @@ from math import floor, isfinite, pi
 from typing import NamedTuple
 
 from linkwright.expressions.fields import Expression
-from linkwright.reductions.interpolant import Interpolant
+from linkwright.reductions.interpolant import Interpolant, turned_levels
 
 Interval = tuple[float, float]
 
@@ -68,8 +68,10 @@ def stretches(
     t: Sequence[float], window: Interpolant | None, low: float, high: float, turning: bool
 ) -> list[Interval] | None:
     """The stretches of time (s) in which a window's signal lies in ``low`` .. ``high``, with ``turning`` also any whole
-    turns from there; without a signal, the time itself. ``None`` where the signal isn't known all along."""
+    turns from there; without a signal, the time itself. ``None`` where the signal isn't known all along, or an end."""
     start, stop = float(t[0]), float(t[-1])
+    if not (isfinite(low) and isfinite(high)):
+        return None
     if window is None:
         low, high = max(low, start), min(high, stop)
         return [(low, high)] if low < high else []
@@ -79,10 +81,9 @@ def stretches(
     least, most = min(values), max(values)
     times = [start, stop]
     for edge in (low, high):
-        levels = [edge]
-        if turning:
-            first, last = floor((least - edge) / (2 * pi)), floor((most - edge) / (2 * pi))
-            levels = [edge + 2 * pi * k for k in range(first, last + 2)]
+        levels = turned_levels(edge, least, most) if turning else [edge]
+        if not levels:
+            return None
         for level in levels:
             times += window.crossings(level, start, stop)
     times = sorted(set(times))

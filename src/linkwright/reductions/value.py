@@ -19,6 +19,7 @@ from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import SIGNAL, Measure
 from linkwright.reductions.figures import Figures, FoundFigure, Unmeasured
 from linkwright.reductions.grades import SAMPLED, Grade
+from linkwright.reductions.interpolant import turned_levels
 from linkwright.reductions.kind import MeasureKind, register
 from linkwright.reductions.protocols import InRun, InSamples, WithDeviations
 from linkwright.reductions.samples import OnSamples, SampledFigure, SampledFigures, SampledInputs
@@ -164,7 +165,7 @@ def _zeros(samples: OnSamples) -> list[float]:
         least, most = min(values), max(values)
         ends = ((a, values[0]), (b, values[-1]))
         if turning:
-            levels = [2 * pi * k for k in range(floor(least / (2 * pi)), floor(most / (2 * pi)) + 2)]
+            levels = turned_levels(0.0, least, most)
             on = [time for time, end in ends if abs(end - 2 * pi * floor(end / (2 * pi) + 0.5)) <= 2 * ON]
         else:
             levels = [0.0]
