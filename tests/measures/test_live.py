@@ -29,6 +29,7 @@ from linkwright.measures.live import (
     LiveWindow,
     live_measures,
     live_rows,
+    sampled_times,
 )
 from linkwright.model.document import load
 from linkwright.reductions import ENTRIES, REDUCTIONS, MeasureKind
@@ -250,12 +251,14 @@ def cases(draw: st.DrawFn, name: str) -> tuple[LiveMeasure, Any, dict[Any, Any]]
     of_signal = LiveWindow(LiveRow("w", draw(flags)), ends, draw(flags))
     window = draw(st.sampled_from([None, None, LiveWindow(None, ends, False), of_signal]))
     wrap = draw(st.sampled_from([None, (LiveNumber(0.0), LiveNumber(2 * np.pi))]))
-    requirement = draw(st.sampled_from([None, LiveRequirement(">= 1", LiveNumber(1.0), None)]))
+    limits = [None, LiveNumber(1.0), LiveNumber(np.nan, "limit")]
+    requirement = LiveRequirement("a .. b", draw(st.sampled_from(limits)), draw(st.sampled_from(limits)))
     bound = BoundMeasure(name, entry, PURE, {}, path=())
-    numbers = {key: LiveNumber(draw(st.floats(1e-3, 4))) for key in inputs.numbers}
+    numbers = {key: LiveNumber(1.0, draw(st.sampled_from([None, "limit"]))) for key in inputs.numbers}
     watched = draw(st.sampled_from([(), (), ("w",)]))
     made = LiveMeasure(bound, "1", 1.0, None, rows, watched, window, numbers, words, wrap, requirement)
-    return made, t, {key: draw(rows_at(t)) for key in (*rows, "w")}
+    limit = np.full(size, draw(st.floats(1e-3, 4)))
+    return made, t, {**{key: draw(rows_at(t)) for key in (*rows, "w")}, "limit": (limit, np.zeros(size))}
 
 
 @pytest.mark.skipif(bool(lacking()), reason=lacking())
@@ -285,6 +288,19 @@ def test_constant_signals(name: str, value: float, size: int) -> None:
     assert found is not None
     expected = {"span": 0.0, "dwell": 2.0, "rms": abs(value)}.get(name, value)
     assert found[""].value == pytest.approx(expected, rel=1e-14, abs=1e-150)
+
+
+def test_times_of_samples() -> None:
+    """Ends of windows in time are among them, kinks and jumps lie between close neighbours."""
+    run = example_run("chinese_names.yaml")
+    t = sampled_times(run, 100)
+    assert (np.diff(t) > 0).all() and (t[0], t[-1]) == (run.start, run.stop)
+    assert {*np.linspace(run.start, run.stop, 101)} - {*t} <= {*run.breaks, *run.jumps.ravel()}
+    for place in [*run.breaks, *run.jumps.mean(axis=1)]:
+        if run.start < place < run.stop:
+            after = int(np.searchsorted(t, place))
+            assert 0 < t[after] - t[after - 1] < 1e-9 * run.stop
+    assert {0.6, 0.8} <= {*sampled_times(example_run("paper_feeder_dwell.yaml"), 97)}
 
 
 def test_a_run_of_many_turns() -> None:

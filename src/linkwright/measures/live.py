@@ -178,6 +178,7 @@ class LiveMeasure:
             "name": self.name,
             "reduction": self.measure.entry.reduction,
             "labels": list(self.measure.kind.labels),
+            "dimension": [float(power) for power in self.dimension],
             "unit": self.unit,
             "size": self.size,
             "reason": self.reason,

@@ -70,7 +70,7 @@ class MeasureKind(ABC):
 
     def sampled_inputs(self, measure: Any) -> SampledInputs | None:
         """What its rule on samples asks of a measure. ``None``: it has no such rule, and pages that compute the motion
-        themselves don't show the measure live."""
+        themselves don't show the measure live, as those of other packages."""
         return None
 
     def sampled(self, samples: OnSamples) -> SampledFigures | None:

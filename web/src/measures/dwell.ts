@@ -24,12 +24,14 @@ class TurningCourse {
   readonly signal: Interpolant;
   readonly times: number[];
   readonly heights: number[];
+  readonly slack: number;
 
   constructor(signal: Interpolant, a: number, b: number) {
     this.signal = signal;
     const { times, values } = signal.turning(a, b);
     this.times = times;
     this.heights = values;
+    this.slack = 1e-13 * values.reduce((size, value) => Math.max(size, Math.abs(value)), 0);
   }
 
   /** The longest stretch of time (s) in which the signal varies by `width` at most; the first of equals.
@@ -63,7 +65,7 @@ class TurningCourse {
   /** From the turning point i on, the time at which the signal leaves the band; the end of the run where it doesn't. */
   private exit(i: number, step: number, low: number, high: number): number {
     const y = this.heights;
-    const slack = 1e-13 * y.reduce((size, value) => Math.max(size, Math.abs(value)), 0);
+    const slack = this.slack;
     const inside = (k: number): boolean => k >= 0 && k < y.length;
     while (inside(i + step) && low - slack <= y[i + step]! && y[i + step]! <= high + slack) i += step;
     if (!inside(i + step)) return step > 0 ? this.times[this.times.length - 1]! : this.times[0]!;

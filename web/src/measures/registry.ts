@@ -22,11 +22,16 @@ export const RULES: Readonly<Record<string, Rule>> = {
   value,
 };
 
+/** Whether a measure can be shown live: not those of reductions that other packages bring. */
+export function isLive(measure: LiveMeasure): boolean {
+  return measure.reason === null && Object.hasOwn(RULES, measure.reduction);
+}
+
 /** The figures (SI) of a measure from samples at times `t` (s, ascending), by label; undefined where it isn't available:
  * fewer than two samples, nothing in its window, or a pose there without values. */
 export function figures(measure: LiveMeasure, t: ArrayLike<number>, rows: Rows): Figures | undefined {
-  const rule = RULES[measure.reduction];
-  if (rule === undefined || measure.reason !== null || t.length < 2) return undefined;
+  const rule = isLive(measure) ? RULES[measure.reduction] : undefined;
+  if (rule === undefined || t.length < 2) return undefined;
   for (const watched of measure.watched) if (wholeTurns(t, rows(watched)).some((k) => k !== 0)) return undefined;
   const samples = onSamples(measure, t, rows);
   const found = samples && rule(samples);
