@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pytest
 
 from helpers.runs import example_run
 from linkwright.graph.rows import Named
@@ -40,9 +39,6 @@ def lacking() -> str:
     told = subprocess.run([program(), "--version"], capture_output=True, text=True, check=True).stdout
     version = tuple(int(part) for part in re.findall(r"\d+", told)[:2])
     return "" if version >= STRIPS else f"Node.js {told.strip()} doesn't run TypeScript"
-
-
-needs_node = pytest.mark.skipif("lacking()", reason="Node.js that runs TypeScript is missing")
 
 
 @cache
