@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 from linkwright.elements.force import Acting
+from linkwright.expressions.language import Call, Name, Node, Number, is_signal, nodes, signal_text, text_of
 from linkwright.graph.actions import active
 from linkwright.graph.derivative_orders import ORDERS
 from linkwright.graph.forces import lever, unit_efforts
@@ -284,3 +285,28 @@ class TableArgument(ActionRow):
 
     def expression(self, view: View) -> Scalar:
         return view.evaluate(view.graph.actions.lookups[self.index].argument)
+
+
+# What is made of signals.
+
+
+@dataclass(frozen=True)
+class ExpressionRow(Row):
+    """An expression of signals and parameters, bound to SI."""
+
+    node: Node
+    called = "expression/{node}"
+
+    @property
+    def label(self) -> str:
+        # The text shows twelve digits; what it rounds is told besides.
+        numbers = [part.value for part in nodes(self.node) if isinstance(part, Number)]
+        rest = [repr(value) for value in numbers if float(f"{value:.12g}") != value]
+        return " ".join([f"expression/{text_of(self.node)}", *rest])
+
+    def order(self, graph: Graph) -> int:
+        parts = (part for part in nodes(self.node) if isinstance(part, Name | Call) and is_signal(part))
+        return graph.order(signal_text(part) for part in parts)
+
+    def expression(self, view: View) -> Scalar:
+        return view.evaluate(self.node)

@@ -4,12 +4,14 @@ from linkwright.measures.bound_measure import BoundMeasure, bound_measures
 from linkwright.measures.check import misfit
 from linkwright.measures.enclosed import enclose
 from linkwright.measures.found import MeasureResult
+from linkwright.measures.live import LiveMeasure, live_measures, live_rows, sampled_times
 from linkwright.measures.measure import Measurer, measure_all
 from linkwright.measures.probe import Probe, Search
 from linkwright.measures.signal_in_run import SignalInRun
 
 __all__ = [
     "BoundMeasure",
+    "LiveMeasure",
     "MeasureResult",
     "Measurer",
     "Probe",
@@ -17,6 +19,9 @@ __all__ = [
     "SignalInRun",
     "bound_measures",
     "enclose",
+    "live_measures",
+    "live_rows",
     "measure_all",
     "misfit",
+    "sampled_times",
 ]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from math import isinf
 from typing import Annotated, Any
 
 import numpy as np
@@ -17,8 +18,10 @@ from linkwright.expressions.written import Fault
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import SIGNAL, Measure, of_signal
 from linkwright.reductions.figures import FoundFigure
+from linkwright.reductions.interpolant import Interpolant
 from linkwright.reductions.kind import MeasureKind, register
 from linkwright.reductions.protocols import InRun, WithDeviations
+from linkwright.reductions.samples import OnSamples, SampledFigure, SampledFigures, SampledInputs
 
 Array = NDArray[np.float64]
 Stretch = tuple[float, float]
@@ -58,6 +61,15 @@ class Dwell(MeasureKind):
     def run_figures(self, run: InRun) -> tuple[FoundFigure, ...]:
         start, stop = _longest(run)
         return (run.graded_figure("", stop - start, start),)
+
+    def sampled_inputs(self, measure: DwellEntry) -> SampledInputs:
+        return SampledInputs({"": measure.signal}, {"within": measure.within})
+
+    def sampled(self, samples: OnSamples) -> SampledFigures:
+        """The same search on the cubics."""
+        found = [OnCubics.over(samples.signal, a, b).longest(samples.numbers["within"]) for a, b in samples.stretches]
+        start, stop = max(found, key=lambda stretch: stretch[1] - stretch[0])
+        return {"": SampledFigure(stop - start, start)}
 
     def derivative(self, found: WithDeviations) -> list[Derivative]:
         """Where a turning point inside lies on the band's edge, the edge goes with it, and so do the stretch's ends;
@@ -187,3 +199,28 @@ class TurningCourse:
         # A level that is that of an end but for round-off has no bracket.
         end = ends[np.abs(y - level).argmin(axis=0), np.arange(level.size)]
         return np.asarray(np.where(outside, beyond, np.where(found.success, found.x, end)))
+
+
+@dataclass
+class OnCubics(TurningCourse):
+    """The same between samples."""
+
+    signal: Interpolant
+    known: Array
+
+    @classmethod
+    def over(cls, signal: Interpolant, a: float, b: float) -> OnCubics:
+        """From a to b (s)."""
+        times, values = signal.turning(a, b)
+        return cls(np.vectorize(signal.value), np.array(times), signal, np.array(values))
+
+    @cached_property
+    def heights(self) -> Array:
+        return self.known
+
+    def _when(self, piece: Array, level: Array) -> Array:
+        found = []
+        for i, wanted in zip(piece.tolist(), level.tolist(), strict=True):
+            a, b = self.turning[i : i + 2].tolist()
+            found.append((b if wanted > 0 else a) if isinf(wanted) else self.signal.when(a, b, wanted))
+        return np.array(found)

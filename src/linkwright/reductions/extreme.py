@@ -15,6 +15,7 @@ from linkwright.reductions.entry import SIGNAL, Measure
 from linkwright.reductions.figures import Figures, FoundFigure
 from linkwright.reductions.kind import MeasureKind, register
 from linkwright.reductions.protocols import InRun, InSamples, WithDeviations, WithPlay
+from linkwright.reductions.samples import OnSamples, SampledFigure, SampledFigures, SampledInputs
 
 Array = NDArray[np.float64]
 
@@ -36,6 +37,14 @@ class _OfExtremes(MeasureKind):
 
     def figures(self, samples: InSamples) -> dict[str, Figures]:
         return {label: samples.extreme(sign) for label, sign in self.signs.items()}
+
+    def sampled_inputs(self, measure: Any) -> SampledInputs:
+        return SampledInputs({"": measure.signal})
+
+    def sampled(self, samples: OnSamples) -> SampledFigures:
+        """Extremes are samples, turning points of the cubics, or ends of the window."""
+        found = {label: samples.signal.extreme(samples.stretches, sign) for label, sign in self.signs.items()}
+        return {label: SampledFigure(*one) for label, one in found.items()}
 
     def derivative(self, found: WithDeviations) -> list[Derivative]:
         return [replace(found.extreme(sign), label=label) for label, sign in self.signs.items()]
@@ -88,6 +97,10 @@ class Span(_OfExtremes):
 
     def figures(self, samples: InSamples) -> dict[str, Figures]:
         return {"": Figures.anywhere(samples.extreme(1.0).values - samples.extreme(-1.0).values)}
+
+    def sampled(self, samples: OnSamples) -> SampledFigures:
+        high, low = (samples.signal.extreme(samples.stretches, sign)[0] for sign in (1.0, -1.0))
+        return {"": SampledFigure(high - low)}
 
     def derivative(self, found: WithDeviations) -> list[Derivative]:
         low, high = (found.extreme(sign) for sign in (-1.0, 1.0))

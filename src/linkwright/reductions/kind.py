@@ -20,6 +20,7 @@ from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import ENTRIES, Measure
 from linkwright.reductions.figures import Figures, FoundFigure
 from linkwright.reductions.protocols import InRun, InSamples, WithDeviations, WithPlay
+from linkwright.reductions.samples import OnSamples, SampledFigures, SampledInputs
 from linkwright.words import add
 
 Array = NDArray[np.float64]
@@ -65,6 +66,16 @@ class MeasureKind(ABC):
 
     def figures(self, samples: InSamples) -> dict[str, Figures]:
         """The figures of many samples at once, by label; the same as those of runs, to round-off."""
+        raise NotImplementedError
+
+    def sampled_inputs(self, measure: Any) -> SampledInputs | None:
+        """What its rule on samples asks of a measure. ``None``: it has no such rule, and pages that compute the motion
+        themselves don't show the measure live, as those of other packages."""
+        return None
+
+    def sampled(self, samples: OnSamples) -> SampledFigures | None:
+        """The figures on samples of a run, by label, by the rule that ``web/src/measures/`` has too; ``None`` where
+        there are none."""
         raise NotImplementedError
 
     def derivative(self, found: WithDeviations) -> list[Derivative]:

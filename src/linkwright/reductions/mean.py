@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Sequence
+from math import sqrt
 from typing import Annotated, Any, ClassVar
 
 import numpy as np
@@ -15,8 +16,10 @@ from linkwright.expressions.units import LENGTH, SPEED
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import SIGNAL, Measure, OfPath
 from linkwright.reductions.figures import Figures, FoundFigure
+from linkwright.reductions.interpolant import integral
 from linkwright.reductions.kind import MeasureKind, register
 from linkwright.reductions.protocols import InRun, InSamples, WithDeviations, WithPlay
+from linkwright.reductions.samples import OnSamples, SampledFigure, SampledFigures, SampledInputs
 
 Array = NDArray[np.float64]
 
@@ -39,6 +42,20 @@ class _OfMean(MeasureKind):
 
     def figures(self, samples: InSamples) -> dict[str, Figures]:
         return {"": Figures.anywhere(self.figure(samples.mean(), samples.length))}
+
+    def sampled_inputs(self, measure: Any) -> SampledInputs:
+        return SampledInputs({"": measure.signal})
+
+    def sampled(self, samples: OnSamples) -> SampledFigures:
+        """The integral of the cubics, or of their squares, is exact."""
+        signal, square = samples.signal, self.power == 2
+
+        def value(i: int, s: float) -> float:
+            here = signal.at(i, s)
+            return here * here if square else here
+
+        mean = integral(samples.stretches, signal, value) / samples.length
+        return {"": SampledFigure(float(self.figure(mean, samples.length)))}
 
     def clearance_bounds(self, found: WithPlay) -> list[Array]:
         """The directions are free at each time."""
@@ -123,6 +140,19 @@ class Path(_OfMean):
 
     def figure(self, mean: Any, length: Any) -> Any:
         return mean * length
+
+    def sampled_inputs(self, measure: PathEntry) -> SampledInputs:
+        return SampledInputs({axis: Expression(f"{measure.point}.{axis}") for axis in ("vx", "vy")})
+
+    def sampled(self, samples: OnSamples) -> SampledFigures:
+        """The components of the velocity are smooth where the speed isn't: it is made of their cubics."""
+        along, across = samples.rows["vx"], samples.rows["vy"]
+
+        def speed(i: int, s: float) -> float:
+            vx, vy = along.at(i, s), across.at(i, s)
+            return sqrt(vx * vx + vy * vy)
+
+        return {"": SampledFigure(integral(samples.stretches, along, speed))}
 
     def mean_of(self, figure: float, length: float) -> float:
         return figure / length

@@ -2,25 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
+from math import sqrt
 from typing import Annotated
 
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.expressions.fields import Name
+from linkwright.expressions.fields import Expression, Name
 from linkwright.expressions.typed_fields import Ref
 from linkwright.expressions.units import LENGTH
 from linkwright.notation.hull import hull
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import OfPath
 from linkwright.reductions.figures import FoundFigure
+from linkwright.reductions.interpolant import Interpolant
 from linkwright.reductions.kind import MeasureKind, register
 from linkwright.reductions.protocols import InRun, WithDeviations
+from linkwright.reductions.samples import OnSamples, SampledFigure, SampledFigures, SampledInputs
 
 Array = NDArray[np.float64]
 Path = NDArray[np.complex128]
+Point = tuple[float, float]
 
 ON = 1e-9
 """Points nearer than this share of a path's extent to a side of its strip lie on it."""
@@ -46,6 +50,27 @@ class Straightness(MeasureKind):
 
     def run_figures(self, run: InRun) -> tuple[FoundFigure, ...]:
         return (run.graded_figure("", _of_run(run)[0]),)
+
+    def sampled_inputs(self, measure: StraightnessEntry) -> SampledInputs:
+        return SampledInputs({axis: Expression(f"{measure.point}.{axis}") for axis in ("x", "y")})
+
+    def sampled(self, samples: OnSamples) -> SampledFigures:
+        """The same bounds: the path across a strip is a cubic too, whose turning points are known."""
+        x, y = samples.rows["x"], samples.rows["y"]
+        marks = [time for a, b in samples.stretches for time in x.marks(a, b)[0]]
+        points = corners([(x.value(time), y.value(time)) for time in marks])
+        origin = points[0]
+        extent = max(max(abs(p[0] - origin[0]), abs(p[1] - origin[1])) for p in points)
+        best = float(np.inf) if extent > 0 else 0.0
+        for _ in range(ROUNDS if extent > 0 else 0):
+            least, a, b = narrow(points)
+            height = Interpolant.mixed(x, y, a, b)
+            (top, first), (bottom, last) = (height.extreme(samples.stretches, sign) for sign in (1.0, -1.0))
+            best = min(best, top - bottom)
+            if best - least <= 1e-12 * best + 1e-15 * extent:
+                break
+            points = corners([*points, *((x.value(time), y.value(time)) for time in (first, last))])
+        return {"": SampledFigure(best)}
 
     def derivative(self, found: WithDeviations) -> list[Derivative]:
         """The path lies on one side with two points, on the other with one between these. The strip turns so that it
@@ -136,3 +161,37 @@ def strip(corners: Path) -> tuple[float, complex]:
     widths = ((corners[None] - corners[:, None]) * across.conjugate()[:, None]).real.max(axis=1)
     i = int(widths.argmin())
     return float(widths[i]), complex(across[i])
+
+
+def corners(points: Sequence[Point]) -> list[Point]:
+    """:func:`linkwright.notation.hull.hull` in plain numbers, as pages have it."""
+    ordered = sorted(set(points))
+    sides: list[Point] = []
+    for row in (ordered, ordered[::-1]):
+        side: list[Point] = []
+        for p in row:
+            while len(side) > 1 and _left(side[-2], side[-1], p) <= 0:
+                side.pop()
+            side.append(p)
+        sides += side[:-1]
+    return sides or ordered
+
+
+def _left(a: Point, b: Point, c: Point) -> float:
+    """How far c lies to the left of the way from a to b, times the length of that."""
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
+def narrow(points: Sequence[Point]) -> tuple[float, float, float]:
+    """:func:`strip` in plain numbers: the width, and the unit vector across it."""
+    x, y = np.array(points).T
+    best = (np.inf, 0.0, 1.0)
+    for i, p in enumerate(points):
+        q = points[(i + 1) % len(points)]
+        along, up = q[0] - p[0], q[1] - p[1]
+        length = sqrt(along * along + up * up)
+        a, b = -up / length, along / length
+        width = float(((x - p[0]) * a + (y - p[1]) * b).max())
+        if width < best[0]:
+            best = (width, a, b)
+    return best

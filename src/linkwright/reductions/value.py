@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from math import floor, pi
 from typing import Annotated, Any
 
 import numpy as np
@@ -18,8 +19,10 @@ from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import SIGNAL, Measure
 from linkwright.reductions.figures import Figures, FoundFigure, Unmeasured
 from linkwright.reductions.grades import SAMPLED, Grade
+from linkwright.reductions.interpolant import turned_levels
 from linkwright.reductions.kind import MeasureKind, register
 from linkwright.reductions.protocols import InRun, InSamples, WithDeviations
+from linkwright.reductions.samples import OnSamples, SampledFigure, SampledFigures, SampledInputs
 
 Array = NDArray[np.float64]
 
@@ -27,6 +30,8 @@ _INSTANT = re.compile(
     r"^\s*(?:(?P<extreme>max|min)\s+(?P<of>\S.*)|(?P<end>start|end)|(?P<signal>[^=]+)=(?P<level>[^=]+))\s*$", re.S
 )
 _SIGNS = {"max": 1.0, "min": -1.0}
+ON = 1e-12
+"""An end of the window is a zero where the expression is no larger than this share of its size."""
 
 
 @dataclass(frozen=True)
@@ -117,6 +122,20 @@ class Value(MeasureKind):
         )
         return {"": Figures(samples.values(times), times)}
 
+    def sampled_inputs(self, measure: ValueEntry) -> SampledInputs:
+        return SampledInputs({"": measure.signal, **measure.also}, words={"at": measure.instant.kind})
+
+    def sampled(self, samples: OnSamples) -> SampledFigures | None:
+        kind = samples.words["at"]
+        if kind == "zero":
+            times = _zeros(samples)
+            time = min(times) if times else None
+        elif kind in _SIGNS:
+            time = samples.rows["where"].extreme(samples.stretches, _SIGNS[kind])[1]
+        else:
+            time = samples.stretches[0][0] if kind == "start" else samples.stretches[-1][1]
+        return None if time is None else {"": SampledFigure(samples.signal.value(time), time)}
+
     def derivative(self, found: WithDeviations) -> list[Derivative]:
         time, moves = _moving(found)
         here = found.values_at([time])
@@ -135,6 +154,26 @@ def _instant(run: InRun) -> tuple[float, Grade]:
         other = run.other("where")
         return (other.top() if kind == "max" else other.bottom()).time, run.searched
     return run.inner(_edge(run), int(kind == "start")), SAMPLED
+
+
+def _zeros(samples: OnSamples) -> list[float]:
+    """The times (s) at which the other expression is zero on samples, of an angle modulo whole turns."""
+    other, found = samples.rows["where"], list[float]()
+    turning = "where" in samples.angles
+    for a, b in samples.stretches:
+        _, values = other.marks(a, b)
+        least, most = min(values), max(values)
+        ends = ((a, values[0]), (b, values[-1]))
+        if turning:
+            levels = turned_levels(0.0, least, most)
+            on = [time for time, end in ends if abs(end - 2 * pi * floor(end / (2 * pi) + 0.5)) <= 2 * ON]
+        else:
+            levels = [0.0]
+            on = [time for time, end in ends if abs(end) <= ON * max(-least, most)]
+        found += on
+        for level in levels:
+            found += other.crossings(level, a, b)
+    return found
 
 
 def _edge(run: InRun) -> float:

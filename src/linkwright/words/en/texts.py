@@ -161,6 +161,9 @@ TEXTS: dict[str, str] = {
     "measure.min": "min",
     "measure.figure": "{name} {label}",
     "measure.placed": "{signal} at {position}",
+    "measure.live.rule": "This reduction can't be evaluated on the page while dimensions are changed.",
+    "measure.live.time": "An expression that contains t can't be evaluated on the page while dimensions are changed.",
+    "measure.live.table": "An expression that uses this table can't be evaluated on the page while dimensions are changed.",
     # What stands in results folders and files.
     "manifest.about": "Written by linkwright. The next run replaces the files listed here unless they were changed; other files are left alone.",
     "csv.comments": "# linkwright {version}\n# model: {file}\n# model sha256: {sha256}\n# date: {date}\n",

@@ -161,6 +161,9 @@ TEXTS: dict[str, str] = {
     "measure.min": "最小",
     "measure.figure": "{name} {label}",
     "measure.placed": "{position} 处的 {signal}",
+    "measure.live.rule": "修改尺寸时，页面无法计算这种统计量。",
+    "measure.live.time": "修改尺寸时，页面无法计算含有 t 的表达式。",
+    "measure.live.table": "修改尺寸时，页面无法计算使用该数据表的表达式。",
     # What stands in results folders and files.
     "manifest.about": "由 linkwright 写入。下次运行会替换此处所列且未被修改的文件；其他文件不受影响。",
     "csv.comments": "# linkwright {version}\n# 模型：{file}\n# 模型 SHA-256：{sha256}\n# 日期：{date}\n",
