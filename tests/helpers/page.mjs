@@ -29,7 +29,8 @@ function run({ sets, out, ...paths }) {
   const count = page.free.length;
   for (let i = 0; i < (count ? from.length / count : 1); i++) {
     const motion = mechanism.run(from.subarray(i * count, (i + 1) * count));
-    parts.push(motion.parameters, ...motion.rows, ...motion.reaches);
+    const measured = motion.measured.flatMap(({ values, rates }) => [values, rates]);
+    parts.push(motion.parameters, ...motion.rows, ...motion.reaches, ...measured);
     failures.push(motion.failure);
   }
   fs.writeFileSync(out, Buffer.concat(parts.map((part) => Buffer.from(part.buffer, part.byteOffset, part.byteLength))));

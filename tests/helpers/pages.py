@@ -18,12 +18,13 @@ Array = np.ndarray
 
 @dataclass
 class PageRun:
-    """Of each set: all parameters (sets, parameters), rows (sets, rows, times), reaches (sets, groups, times), and why
-    it has no motion from where on."""
+    """Of each set: all parameters (sets, parameters), rows (sets, rows, times), reaches (sets, groups, times), measured
+    rows with their rates (sets, rows, 2, times), and why it has no motion from where on."""
 
     parameters: Array
     rows: Array
     reaches: Array
+    measured: Array
     failures: list[dict[str, Any] | None]
 
 
@@ -35,8 +36,10 @@ def page_run(made: PagePrograms, times: Array, sets: Array) -> PageRun:
         answer = _asked(made, times, Path(folder), {"sets": str(given), "out": str(out)})
         count, reaches = len(made.compiled.graph.parameters), len(made.reaches)
         found = np.fromfile(out).reshape(len(answer["failures"]), -1)
-    rows = found[:, count:].reshape(len(found), len(made.rows) + reaches, times.size)
-    return PageRun(found[:, :count], rows[:, : len(made.rows)], rows[:, len(made.rows) :], answer["failures"])
+    own = len(made.rows)
+    rows = found[:, count:].reshape(len(found), own + reaches + 2 * len(made.measured), times.size)
+    measured = rows[:, own + reaches :].reshape(len(found), -1, 2, times.size)
+    return PageRun(found[:, :count], rows[:, :own], rows[:, own : own + reaches], measured, answer["failures"])
 
 
 def page_drags(made: PagePrograms, drags: list[dict[str, Any]]) -> list[dict[str, Any]]:

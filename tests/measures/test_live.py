@@ -10,14 +10,14 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from helpers.compiled import compiled_from
-from helpers.emitted import JavaScript
 from helpers.examples import four_bar
 from helpers.measured import by_page, example_samples, lacking, sampled
+from helpers.pages import page_run
 from helpers.runs import EXAMPLES, example_run
 from linkwright.compilation import compile_mechanism
 from linkwright.expressions.units import PURE
 from linkwright.graph.rows import ExpressionRow
-from linkwright.kernels.live import live
+from linkwright.kernels.page_programs import page_programs
 from linkwright.measures import BoundMeasure, measure_all
 from linkwright.measures.live import (
     NEEDS_TIME,
@@ -166,11 +166,10 @@ def test_a_moved_dimension() -> None:
     compiled = compile_mechanism(document)
     measures, t = live_measures(compiled), np.linspace(0.0, 1.0, 401)
     rows = live_rows(measures)
-    made = live(compiled, rows, t, rates=True)
+    made = page_programs(compiled, [], rows)
     free = dict(zip(made.derived.inputs, made.values, strict=True)) | {"r": 0.12, "l": 0.3}
-    p = JavaScript(made.derived).run(np.array([*free.values()])[:, None], np.zeros(0))[:, 0]
-    y = JavaScript(made.program).run(made.inputs, p)
-    found = taken(measures, t, {row: (y[2 * k], y[2 * k + 1]) for k, row in enumerate(rows)})
+    (y,) = page_run(made, t, np.array([[*free.values()]])).measured
+    found = taken(measures, t, {row: (y[k, 0], y[k, 1]) for k, row in enumerate(rows)})
     exact = measure_all(Run(compile_mechanism(document.replace(r=120, l=300)), 0.0, 1.0, 360))[0]
     for one, true in zip(found, exact, strict=True):
         expected = [figure.value for figure in true.found]

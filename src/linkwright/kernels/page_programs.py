@@ -39,13 +39,15 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class PagePrograms:
-    """A compiled mechanism's ``rows`` as a page computes them, with all parameters but the ``locked`` ones free.
+    """A compiled mechanism's ``rows`` as a page computes them, and the ``measured`` ones with their rates in time, with
+    all parameters but the ``locked`` ones free.
 
     A locked parameter has a finding that says why: what depends on it is no expression.
     """
 
     compiled: Compiled
     rows: tuple[Named, ...]
+    measured: tuple[Named, ...] = ()
 
     @cached_property
     def locked(self) -> dict[str, Finding]:
@@ -89,7 +91,8 @@ class PagePrograms:
         """All programs, by what they are for."""
         compiled, supply = self.compiled, self.compiled.supply
         graph = compiled.graph
-        used = self.signals.used[0]
+        measured = [graph.program(self.measured, rates=True)] if self.measured else []
+        used = frozenset().union(*(program.used[0] for program in (self.signals, *measured)))
         turns = [supply.turns[name].kernel.program for name in graph.actions.turning if supply.rows[f"turns/{name}"]]
         return {
             "derived": [self.derived],
@@ -100,6 +103,7 @@ class PagePrograms:
             "lookups": [kernel.program for _, kernel in supply.levels],
             "ratios": [ratio_program(compiled, self.locked)] if supply.followers and max(used) >= supply.first else [],
             "signals": [self.signals],
+            "measured": measured,
             "nearest": [graph.nearest_poses],
             "dragged": [self.dragged],
             "slopes": [derived_parameters(compiled.quantities, tangents=True)],
@@ -159,6 +163,7 @@ class PagePrograms:
                 [rows[f"total/{name}"], law.total] for name, law in supply.followers.items() if f"total/{name}" in rows
             ],
             "outputs": len(self.rows),
+            "measured": len(self.measured),
             "shape": len(self.programs["shape"][0].outputs),
             "points": list(self.points),
             "links": list(compiled.structure.topology.moving),
@@ -177,6 +182,6 @@ class PagePrograms:
         return {"row": row, "table": self._tables.index(lookup.table), "integral": lookup.integral}
 
 
-def page_programs(compiled: Compiled, rows: Sequence[Named]) -> PagePrograms:
-    """Rows of a mechanism as a page can compute them."""
-    return PagePrograms(compiled, tuple(rows))
+def page_programs(compiled: Compiled, rows: Sequence[Named], measured: Sequence[Named] = ()) -> PagePrograms:
+    """Rows of a mechanism as a page can compute them; those ``measured`` with their rates."""
+    return PagePrograms(compiled, tuple(rows), tuple(measured))

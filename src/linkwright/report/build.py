@@ -12,6 +12,7 @@ from linkwright.elements.force import FORCES, SignalChart
 from linkwright.escape import printed
 from linkwright.expressions.units import LENGTH, TIME, Dimension
 from linkwright.findings import Finding, Said, Text
+from linkwright.measures import sampled_times
 from linkwright.model.document import Document, dump
 from linkwright.model.origin import Origin, hashed
 from linkwright.presentation.json_numbers import listed
@@ -32,7 +33,7 @@ from linkwright.report.data import (
     Trace,
 )
 from linkwright.report.joint_shapes import joint_shapes
-from linkwright.report.live import live_data
+from linkwright.report.live import can_be_live, live_data
 from linkwright.report.structure_summary import facts
 from linkwright.report.summary import drawn, found
 from linkwright.results import Result
@@ -66,6 +67,8 @@ def report_data(
     whole, shown = drawn(outcomes), outcomes.reports()
     assert whole is not None
     result = whole.thinned(MAX_STEPS)
+    if can_be_live(result):
+        result = result.at(sampled_times(result.run, result.run.steps))
     findings = [*examined, *found(outcomes)]
     picture, curves = scene(result), plots(result) if result.t[-1] > result.t[0] else []
     text = dump(document) if text is None else text

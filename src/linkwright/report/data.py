@@ -176,7 +176,8 @@ class LiveData(TypedDict):
     ``code``: the programs as JavaScript. ``program``: what joins them. ``length`` and ``second``: SI sizes of the
     report's units. ``poses``: the links whose poses come first among the programs' outputs, four rows each;
     ``signals``: the names of the rows behind them, with the ``sizes`` of their units; ``wrapped`` are the numbers of
-    those that are angles without whole turns. ``probes``: a value of each row, which the page must find too.
+    those that are angles without whole turns. ``probes``: a value of each row, which the page must find too, but for
+    round-off of its ``scales``. ``measures``: what is taken of the samples.
     ``numbers``: what can be moved, and the ``lines`` of the file where it stands, by their number. ``drives`` and
     ``parameters`` by their number.
     """
@@ -191,6 +192,8 @@ class LiveData(TypedDict):
     sizes: Sequence[float]
     wrapped: Sequence[int]
     probes: Values
+    scales: Sequence[float]
+    measures: Sequence[Mapping[str, object]]
     numbers: Sequence[LiveNumber]
     lines: Mapping[str, str]
     drives: Sequence[str]

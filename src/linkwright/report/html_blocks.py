@@ -96,15 +96,15 @@ def _(block: Measures) -> str:
 def _measure(measure: Measure) -> Sequence[str]:
     unit = f'<span class="unit">{markup(printed(measure.unit))}</span>'
     values = "".join(
-        f'<span class="line"><span class="end">{markup(entry.label)}</span> '
+        f'<span class="line value"><span class="end">{markup(entry.label)}</span> '
         f"<b>{markup(entry.text) or _number(entry.value)}</b> {unit}</span>"
         for entry in measure.values
     )
     places = any(str(entry.at) for entry in measure.values)
-    where = "".join(f'<span class="line">{prose(entry.at)}</span>' for entry in measure.values) if places else "–"
+    where = "".join(f'<span class="line where">{prose(entry.at)}</span>' for entry in measure.values) if places else "–"
     text = f'<span class="note">{prose(measure.text)}</span>'
     for grade in dict.fromkeys(str(entry.grade) for entry in measure.values):
-        text += f'<span class="note">{prose(grade)}</span>'
+        text += f'<span class="note grade">{prose(grade)}</span>'
     judged = "–"
     if measure.verdict is not None:
         judged = mark(measure.verdict, say("report.pass" if measure.verdict else "report.fail"))

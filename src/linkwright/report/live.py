@@ -9,10 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+from numpy.typing import NDArray
+
 from linkwright.compilation import compile_mechanism
 from linkwright.expressions.units import ANGLE, LENGTH, TIME
 from linkwright.findings import ModelError
 from linkwright.kernels.page_programs import PagePrograms, page_programs
+from linkwright.measures import live_measures, live_rows
 from linkwright.model.document import Document
 from linkwright.model.live_numbers import live_numbers
 from linkwright.model.named_numbers import NamedNumbers, named_numbers
@@ -20,6 +24,8 @@ from linkwright.presentation.json_numbers import known
 from linkwright.report.data import LiveData, LiveNumber, Plot, Scene
 from linkwright.results import Result
 from linkwright.studies.drive_sweep import Sweep
+
+Array = NDArray[np.float64]
 
 PROBE = 7919
 """A prime: the pose at which the value of row i is compared is i times this, modulo the number of poses."""
@@ -44,7 +50,9 @@ def live_data(document: Document, text: str, result: Result, scene: Scene, plots
     names = dict.fromkeys(f"{trace['name']}.{axis}" for trace in scene["traces"] for axis in "xy")
     names |= dict.fromkeys(series["name"] for plot in plots for series in plot["series"])
     signals, quantities = [*names], recorded.quantities
-    made = page_programs(compiled, [*compiled.graph.pose_rows, *signals])
+    measures = live_measures(compiled)
+    measured = live_rows(measures)
+    made = page_programs(compiled, [*compiled.graph.pose_rows, *signals], measured)
     values = [*recorded.evaluate(recorded.graph.pose_rows, result.t), *(result[name] for name in signals)]
     lines = text.splitlines()
     numbers = _numbers(made, named, text)
@@ -59,11 +67,22 @@ def live_data(document: Document, text: str, result: Result, scene: Scene, plots
         "sizes": [quantities.unit_of(result.dimension(name))[1] for name in signals],
         "wrapped": [i for i, name in enumerate(signals) if recorded.graph.wrapped(name)],
         "probes": [known(float(row[i * PROBE % result.t.size])) for i, row in enumerate(values)],
+        "scales": _scales(values, [*("pose" for _ in compiled.graph.pose_rows), *map(result.dimension, signals)]),
+        "measures": [one.data({row: i for i, row in enumerate(measured)}) for one in measures],
         "numbers": numbers,
         "lines": {str(one["line"]): lines[one["line"] - 1] for one in numbers if one["line"]},
         "drives": list(compiled.graph.drives),
         "parameters": list(compiled.graph.parameters),
     }
+
+
+def _scales(rows: Sequence[Array], kinds: Sequence[object]) -> list[float]:
+    """How large the values of each row are; of one that is only round-off, a millionth of the largest of its kind."""
+    largest = [float(np.max(np.abs(row), initial=0.0, where=np.isfinite(row))) for row in rows]
+    of_kind: dict[object, float] = {}
+    for kind, most in zip(kinds, largest, strict=True):
+        of_kind[kind] = max(of_kind.get(kind, 1e-12), most)
+    return [max(most, 1e-6 * of_kind[kind]) for kind, most in zip(kinds, largest, strict=True)]
 
 
 def _numbers(made: PagePrograms, named: NamedNumbers, text: str) -> list[LiveNumber]:

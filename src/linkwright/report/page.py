@@ -28,24 +28,30 @@ LIVE_WORDS = (
     "failed_parameter",
     "hold",
     "move",
+    "not_computed",
+    "original",
     "others",
     "out_of_reach",
+    "requirements",
     "reset",
     "reset_one",
+    "sampled",
     "shape",
     "unsound",
     "within_tolerances",
 )
-PLACES = {name: f"{{{name}}}" for name in ("error", "name", "off", "time")}
+PLACES = {name: f"{{{name}}}" for name in ("change", "error", "met", "name", "off", "time", "total", "value")}
 """The places of the scripts' texts, which the scripts fill."""
 SCRIPT_WORDS = (
     "report.areas",
     "report.centrodes",
     "report.copied",
     "report.drawing",
+    "report.fail",
     "report.link_names",
     *(f"report.live.{key}" for key in LIVE_WORDS),
     "report.not_assembled",
+    "report.pass",
     "report.paths",
     "report.pause",
     "report.play",

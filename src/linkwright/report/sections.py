@@ -24,7 +24,7 @@ def header(data: ReportData) -> str:
         badges.append(mark(False, say("report.summary_failures", count=len(data["failures"]))))
     if required:
         text = say("report.summary_requirements", met=sum(required), total=len(required))
-        badges.append(mark(all(required), text))
+        badges.append(f'<span id="requirements">{mark(all(required), text)}</span>')
     if checks:
         text = say("report.summary_checks", ok=sum(checks), total=len(checks))
         badges.append(mark(all(checks), text))

@@ -55,6 +55,12 @@ class Result:
         run = Run(self.run.compiled, self.run.start, self.run.stop, steps)
         return Result(run, self.failures, self.certificate)
 
+    def at(self, times: Array) -> Result:
+        """The same run looked at at other times (s), ascending from its start to its end."""
+        run = Run(self.run.compiled, self.run.start, self.run.stop, times.size - 1)
+        run.t = times
+        return Result(run, self.failures, self.certificate)
+
     @cached_property
     def names(self) -> tuple[str, ...]:
         """All signals of the mechanism."""

@@ -1,5 +1,6 @@
 // What a report brings to compute its mechanism itself (linkwright/report/live.py). Times in s, all values in SI.
 
+import type { LiveMeasure } from "../measures/measure.ts";
 import type { Program, ProgramData } from "../program/data.ts";
 
 /** A number of the model file that can be moved: its place in the file, its value with bounds, its unit. */
@@ -35,6 +36,8 @@ export interface LiveData {
   readonly sizes: readonly number[];
   readonly wrapped: readonly number[];
   readonly probes: readonly (number | null)[];
+  readonly scales: readonly number[];
+  readonly measures: readonly LiveMeasure[];
   readonly numbers: readonly LiveNumber[];
   /** The lines of the file in which numbers stand, by their number. */
   readonly lines: Readonly<Record<string, string>>;

@@ -108,8 +108,7 @@ export class LiveModel {
       const row = this.original.rows[i]!;
       const here = row[(i * PROBES) % row.length]!;
       if (probe === null) return !Number.isFinite(here);
-      const largest = row.reduce((most, value) => (Math.abs(value) > most ? Math.abs(value) : most), 1e-12);
-      return Math.abs(here - probe) <= CLOSE * largest;
+      return Math.abs(here - probe) <= CLOSE * this.data.scales[i]!;
     });
   }
 }

@@ -6,6 +6,7 @@ import { speaker } from "../drawing/words.ts";
 import { dimensions, written } from "../panels/dimensions.ts";
 import { found } from "../panels/found.ts";
 import { liveState } from "../panels/live_state.ts";
+import { measured } from "../panels/measured.ts";
 import type { Charts } from "../plots/charts.ts";
 import type { Plot, Scene, Texts, TimeAxis } from "../scene/data.ts";
 import { dragging } from "./dragging.ts";
@@ -31,6 +32,7 @@ export function livePage({ live, drawing, charts, scene, plots, time, texts, loc
   const bar = html("div", { class: "live-bar" }, box);
   const state = liveState(found("#state"), bar, live, say, time);
   const panel = dimensions(box, live, say, locked);
+  const table = measured(live, say, time);
   const { shapes, hint } = modes(found("#drawing .lw"), drawing, say);
   let waiting = false;
   const update = (): void => {
@@ -38,6 +40,7 @@ export function livePage({ live, drawing, charts, scene, plots, time, texts, loc
     const now = live.changed ? sceneOf(scene, live) : original;
     drawing.update(now, live.changed ? original : null);
     charts.update(plotsOf(plots, live));
+    table.update();
     panel.update();
     state.update(now);
   };

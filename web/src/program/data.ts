@@ -41,6 +41,7 @@ export type Counts = Record<
   | "lookups"
   | "ratios"
   | "signals"
+  | "measured"
   | "nearest"
   | "dragged"
   | "slopes"
@@ -70,6 +71,8 @@ export interface ProgramData {
   ratios: { rows: [number, number]; motor: number }[];
   totals: [number, number][];
   outputs: number;
+  /** How many rows are computed with their rates. */
+  measured: number;
   /** How many numbers the shapes of links are. */
   shape: number;
   /** The points that may be dragged, and the links whose poses are known, by name. */

@@ -19,6 +19,8 @@ export interface Motion {
   rows: Float64Array[];
   /** Of each dyad with two modes its reach, negative where it can't close. */
   reaches: Float64Array[];
+  /** Rows that measures look at, with their rates. */
+  measured: { values: Float64Array; rates: Float64Array }[];
   parameters: Float64Array;
   failure: Failure | null;
 }
@@ -80,21 +82,25 @@ export class Mechanism {
   /** All signals at some values of the free parameters, in their order. */
   run(free: ArrayLike<number>): Motion {
     const parameters = this.derived(free).slice();
-    const rows = Array.from({ length: this.size }, () => new Float64Array(this.times.length).fill(NaN));
+    const unknown = (): Float64Array => new Float64Array(this.times.length).fill(NaN);
     const motion: Motion = {
-      rows: rows.slice(0, this.data.outputs),
-      reaches: rows.slice(this.data.outputs),
+      measured: Array.from({ length: this.data.measured }, () => ({ values: unknown(), rates: unknown() })),
+      rows: [],
+      reaches: [],
       parameters,
       failure: null,
     };
+    const rows = Array.from({ length: this.size }, unknown);
+    motion.rows = rows.slice(0, this.data.outputs);
+    motion.reaches = rows.slice(this.data.outputs);
     const constants = new Float64Array(this.data.turns.length + sum(this.data.looked_at));
     this.tell(parameters);
     this.only("constants").pose([], constants);
-    const unknown = parameters.findIndex((value) => !Number.isFinite(value));
+    const missing = parameters.findIndex((value) => !Number.isFinite(value));
     const wrong = this.wrongNumber(constants.subarray(this.data.turns.length));
-    if (unknown >= 0 || wrong >= 0) {
+    if (missing >= 0 || wrong >= 0) {
       motion.failure =
-        unknown >= 0 ? { kind: "parameter", index: unknown, pose: 0 } : { kind: "number", index: wrong, pose: 0 };
+        missing >= 0 ? { kind: "parameter", index: missing, pose: 0 } : { kind: "number", index: wrong, pose: 0 };
       return motion;
     }
     const lost = this.place(parameters);
@@ -104,8 +110,21 @@ export class Mechanism {
       this.only("signals").pose(this.poses[k]!, this.out);
       for (let i = 0; i < this.size; i++) rows[i]![k] = this.out[i]!;
     });
+    this.measure(motion);
     motion.failure = this.failure(motion, lost);
     return motion;
+  }
+
+  private measure({ measured }: Motion): void {
+    if (!measured.length) return;
+    const [program, out] = [this.only("measured"), new Float64Array(2 * measured.length)];
+    for (const [k, x] of this.poses.entries()) {
+      program.pose(x, out);
+      for (const [i, { values, rates }] of measured.entries()) {
+        values[k] = out[2 * i]!;
+        rates[k] = out[2 * i + 1]!;
+      }
+    }
   }
 
   /** The shapes of links at some parameters: coordinates of points (m), angles of lines (rad). */

@@ -1,0 +1,93 @@
+// The measures of the page, taken anew from the samples while its numbers are changed.
+
+import { html } from "../drawing/elements.ts";
+import type { Say } from "../drawing/words.ts";
+import type { LiveModel } from "../live/live_model.ts";
+import type { Figure, LiveMeasure, Rows } from "../measures/measure.ts";
+import { figures, isLive } from "../measures/registry.ts";
+import { met } from "../measures/requirement.ts";
+import type { TimeAxis } from "../scene/data.ts";
+import { written } from "./dimensions.ts";
+
+interface Row {
+  readonly measure: LiveMeasure;
+  readonly cells: readonly { readonly cell: HTMLElement; readonly as: string }[];
+  readonly line: HTMLTableRowElement;
+  /** The values (SI) of the samples at the file's numbers, by label. */
+  readonly before: Readonly<Record<string, Figure>>;
+}
+
+export interface Measured {
+  update(): void;
+}
+
+/** Takes over the rows of the table of measures, which stand in the order of the data. */
+export function measured(live: LiveModel, say: Say, time: Pick<TimeAxis, "unit">): Measured {
+  const lines = document.querySelectorAll<HTMLTableRowElement>("#measures table.measures tbody tr");
+  const rowsOf = (motion = live.motion): Rows => (row) => motion.measured[row]!;
+  const { times, second } = live.data;
+  const rows = live.data.measures.flatMap((measure): Row[] => {
+    const line = Array.from(lines).find((each) => each.querySelector("b")?.textContent === measure.name);
+    if (!line) return [];
+    const cells = Array.from(line.cells, (cell) => ({ cell, as: cell.innerHTML }));
+    return [{ measure, line, cells, before: figures(measure, times, rowsOf(live.original)) ?? {} }];
+  });
+  const badge = document.querySelector<HTMLElement>("#requirements");
+  const badgeAs = badge?.innerHTML ?? "";
+  const update = (): void => {
+    const verdicts: boolean[] = [];
+    for (const row of rows) {
+      for (const { cell, as } of row.cells) cell.innerHTML = as;
+      row.line.classList.toggle("unknown", live.changed && !isLive(row.measure));
+      if (!live.changed) continue;
+      const verdict = show(row);
+      if (verdict !== null) verdicts.push(verdict);
+    }
+    if (!badge) return;
+    badge.innerHTML = badgeAs;
+    const shownBadge = badge.querySelector<HTMLElement>(".mark");
+    if (!live.changed || !verdicts.length || !shownBadge) return;
+    const passed = verdicts.filter(Boolean).length;
+    const text = say("live.requirements").replace("{met}", `${passed}`).replace("{total}", `${verdicts.length}`);
+    mark(shownBadge, passed === verdicts.length, text);
+  };
+  /** Writes the figures of the moment into a row; whether they meet its requirement, if it has one. */
+  const show = ({ measure, line, before }: Row): boolean | null => {
+    const found = isLive(measure) ? figures(measure, times, rowsOf()) : undefined;
+    const values = line.querySelectorAll<HTMLElement>(".line.value");
+    const places = line.querySelectorAll<HTMLElement>(".line.where");
+    measure.labels.forEach((label, i) => {
+      const figure = found?.[label];
+      const value = values[i]?.querySelector("b");
+      if (value) value.textContent = figure ? shown(figure.value / measure.size) : "–";
+      const place = places[i];
+      if (place) place.textContent = figure?.time != null ? `t = ${written(figure.time / second)} ${time.unit}` : "–";
+      const was = before[label];
+      if (figure && was && values[i]) {
+        const change = shown((figure.value - was.value) / measure.size, true);
+        const text = say("live.original").replace("{value}", shown(was.value / measure.size)).replace("{change}", change);
+        values[i]!.after(html("span", { class: "note" }, null, text));
+      }
+    });
+    for (const note of line.querySelectorAll<HTMLElement>(".grade")) note.textContent = say("live.sampled");
+    if (!isLive(measure)) {
+      for (const note of line.querySelectorAll<HTMLElement>(".grade")) note.textContent = say("live.not_computed");
+    }
+    if (!measure.requirement) return null;
+    const verdict = met(measure.requirement, found, rowsOf());
+    const place = line.querySelector<HTMLElement>(".mark");
+    if (place) mark(place, verdict, say(verdict ? "pass" : "fail"));
+    return verdict;
+  };
+  return { update };
+}
+
+/** A verdict: a sign and a word. */
+function mark(place: HTMLElement, good: boolean, text: string): void {
+  place.classList.toggle("ok", good);
+  place.classList.toggle("bad", !good);
+  place.textContent = `${good ? "✓" : "✗"} ${text}`;
+}
+
+const shown = (value: number, signed = false): string =>
+  `${signed && value > 0 ? "+" : ""}${written(value)}`.replace("-", "−");
