@@ -11,7 +11,7 @@ import { round, written } from "./written.ts";
 const LEAST = 1e-6;
 
 export function openings(facts: Facts, view: View, parent: Element): Move {
-  if (!facts.scene.open) return () => {};
+  if (!facts.scene.open?.includes(true)) return () => {};
   const parts = facts.pins
     .filter((pin) => pin.places.length > 1)
     .map((pin) => {

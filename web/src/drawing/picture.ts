@@ -29,18 +29,27 @@ export interface Size {
   readonly box?: Box;
   /** What is to be compared with, as it was: a faint drawing behind. */
   readonly original?: Facts | null;
+  /** The drawing of before, of which that is taken over where it is the same. */
+  readonly before?: Drawn | null;
 }
 
 /** A drawing that `show` moves, and how the world lies on its screen. */
 export interface Drawn extends Picture {
   readonly view: View;
+  readonly original: Original | null;
+}
+
+interface Original {
+  readonly facts: Facts;
+  readonly group: SVGGElement;
+  readonly move: Move;
 }
 
 /** Fills `root` anew. `ghosts`: samples drawn faintly. */
 export function draw(
   root: SVGSVGElement,
   facts: Facts,
-  { width, most, box, original = null }: Size,
+  { width, most, box, original = null, before = null }: Size,
   say: Say,
   ghosts: readonly number[] = [],
 ): Drawn {
@@ -51,11 +60,12 @@ export function draw(
   backdrop(facts, view, svg("g", {}, root));
   const behind = areas(facts, view, root);
   for (const sample of ghosts) bodies(facts, view, r, svg("g", { class: "lw-ghost" }, root))(sample, 0);
-  const before = original ? compared(original, view, r, root) : () => {};
+  const compared = original && originalOf(original, view, r, before);
+  if (compared) root.append(compared.group);
   const paths = traces(facts, view, root);
   const rolling = centrodes(facts, view, root);
   const moves = [
-    before,
+    compared?.move ?? (() => {}),
     paths.move,
     rolling.move,
     bodies(facts, view, r, svg("g", {}, root)),
@@ -70,12 +80,14 @@ export function draw(
     for (const move of moves) move(sample, f);
     shown(note, Boolean(facts.gaps[sample] || (f && facts.gaps[sample + 1])));
   };
-  return { show, view, areas: behind, traces: paths.groups, centrodes: rolling.groups };
+  return { show, view, original: compared, areas: behind, traces: paths.groups, centrodes: rolling.groups };
 }
 
 /** The mechanism as it was, and the paths of its points. */
-function compared(original: Facts, view: View, r: number, root: Element): Move {
-  const parent = svg("g", { class: "lw-original" }, root);
-  traces(original, view, parent);
-  return bodies(original, view, r, parent);
+function originalOf(facts: Facts, view: View, r: number, before: Drawn | null): Original {
+  const same = before && before.view.k === view.k && before.view.width === view.width && before.view.height === view.height;
+  if (same && before.original?.facts === facts) return before.original;
+  const group = svg("g", { class: "lw-original" });
+  traces(facts, view, group);
+  return { facts, group, move: bodies(facts, view, r, group) };
 }

@@ -69,12 +69,12 @@ export function render({
   const ui = controls(root, facts, { say, time, real: (last - first) / perSecond });
   const decimals = clamp(1 - Math.floor(Math.log10((last - first) / (times.length - 1) || 1)), 0, 9);
   const listeners = new Set<Listener>();
-  let picture: Drawn;
+  let picture: Drawn | undefined;
   let now = first;
 
   const show = (): number => {
     const { k, f, nearest } = locate(times, now);
-    picture.show(k, f);
+    picture!.show(k, f);
     const figure = now.toFixed(decimals);
     ui.slider.value = String(nearest);
     ui.readout.textContent = `${time.label} ${figure} ${time.unit}`.trim();
@@ -91,14 +91,14 @@ export function render({
     drawing.classList.toggle("lw-no-points", !ui.points.checked);
     drawing.classList.toggle("lw-no-links", !ui.links.checked);
     for (const kind of ["areas", "traces", "centrodes"] as const) {
-      picture[kind].forEach((group, i) => group.classList.toggle("lw-hidden", !ui[kind][i]!.checked));
+      picture![kind].forEach((group, i) => group.classList.toggle("lw-hidden", !ui[kind][i]!.checked));
     }
   };
   const layout = (): void => {
     const width = Math.round(root.clientWidth) || 640;
     const box = ui.centrodes.some((each) => each.checked) ? facts.wide : facts.box;
     const most = clamp(window.innerHeight * 0.66, 280, 720);
-    picture = draw(drawing, facts, { width, most, box, original }, say);
+    picture = draw(drawing, facts, { width, most, box, original, before: picture ?? null }, say);
     switches();
     show();
   };
@@ -148,14 +148,14 @@ export function render({
     picture: drawing,
     update(scene, before) {
       facts = survey(scene, facts);
-      original = before && survey(before, facts);
+      if (original?.scene !== before) original = before && survey(before, facts);
       layout();
     },
     place(x, y) {
-      return picture.view.toWorld(onPicture(drawing, x, y));
+      return picture!.view.toWorld(onPicture(drawing, x, y));
     },
     pick(x, y, within) {
-      return pinAt(facts, picture.view, times, now, onPicture(drawing, x, y), within);
+      return pinAt(facts, picture!.view, times, now, onPicture(drawing, x, y), within);
     },
     on(event, callback) {
       if (event !== "time") throw new Error(`unknown event: ${event as string}`);

@@ -31,8 +31,8 @@ export function sceneOf(base: Scene, live: LiveModel, motion: Motion = live.moti
     x: scaled(live.signal(`${name}.x`, motion)!, data.length),
     y: scaled(live.signal(`${name}.y`, motion)!, data.length),
   }));
-  const scene = { ...base, links, joints, traces, time: data.times.map((time) => time / data.second) };
-  return motion.failure ? { ...scene, open: openings(motion, data.times.length) } : scene;
+  const time = data.times.map((each) => each / data.second);
+  return { ...base, links, joints, traces, time, open: openings(motion, time.length) };
 }
 
 function poseOf(link: LinkData, poses: readonly string[], rows: readonly Float64Array[], size: number): PoseRows {
@@ -42,8 +42,8 @@ function poseOf(link: LinkData, poses: readonly string[], rows: readonly Float64
 }
 
 /** At which poses some link has no place of its own. */
-const openings = (motion: Motion, count: number): boolean[] =>
-  Array.from({ length: count }, (_, k) => motion.rows.some((row) => !Number.isFinite(row[k]!)));
+const openings = ({ failure, rows }: Motion, count: number): boolean[] =>
+  Array.from({ length: count }, (_, k) => failure !== null && rows.some((row) => !Number.isFinite(row[k]!)));
 
 /** `base` with the values of the moment; null where there is none. */
 export function plotsOf(base: readonly Plot[], live: LiveModel): Plot[] {

@@ -38,6 +38,12 @@ export function liveState(
     setTimeout(() => (copied.textContent = say("live.copy")), 2000);
   });
   const lines = html("pre", { class: "live-lines" }, bar);
+  /** What takes longer than a frame has waits until the numbers rest. */
+  let waiting = 0;
+  const later = (scene: Scene): void => {
+    lines.textContent = live.changed ? changedLines(live).join("\n") : "";
+    line.textContent = live.sound ? stateLine(live, say, time, scene) : say("live.unsound");
+  };
   const update = (scene: Scene): void => {
     const { changed, motion } = live;
     document.documentElement.classList.toggle("live-changed", changed);
@@ -46,10 +52,10 @@ export function liveState(
     for (const button of [reset, copied]) button.hidden = !changed;
     back.hidden = !motion.failure;
     lines.hidden = !changed;
-    lines.textContent = changed ? changedLines(live).join("\n") : "";
     line.hidden = !changed && live.sound;
     line.classList.toggle("bad", Boolean(motion.failure) || !live.sound);
-    line.textContent = live.sound ? stateLine(live, say, time, scene) : say("live.unsound");
+    clearTimeout(waiting);
+    waiting = window.setTimeout(() => later(scene), 80);
   };
   return { update };
 }

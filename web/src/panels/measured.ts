@@ -37,9 +37,10 @@ export function measured(live: LiveModel, say: Say, time: Pick<TimeAxis, "unit">
   const update = (): void => {
     const verdicts: boolean[] = [];
     for (const row of rows) {
-      for (const { cell, as } of row.cells) cell.innerHTML = as;
-      row.line.classList.toggle("unknown", live.changed && !isLive(row.measure));
-      if (!live.changed) continue;
+      if (!live.changed) {
+        for (const { cell, as } of row.cells) cell.innerHTML = as;
+        continue;
+      }
       const verdict = show(row);
       if (verdict !== null) verdicts.push(verdict);
     }
@@ -66,13 +67,13 @@ export function measured(live: LiveModel, say: Say, time: Pick<TimeAxis, "unit">
       if (figure && was && values[i]) {
         const change = shown((figure.value - was.value) / measure.size, true);
         const text = say("live.original").replace("{value}", shown(was.value / measure.size)).replace("{change}", change);
-        values[i]!.after(html("span", { class: "note" }, null, text));
+        const note = values[i]!.nextElementSibling;
+        if (note?.classList.contains("was")) note.textContent = text;
+        else values[i]!.after(html("span", { class: "note was" }, null, text));
       }
     });
-    for (const note of line.querySelectorAll<HTMLElement>(".grade")) note.textContent = say("live.sampled");
-    if (!isLive(measure)) {
-      for (const note of line.querySelectorAll<HTMLElement>(".grade")) note.textContent = say("live.not_computed");
-    }
+    const grade = say(isLive(measure) ? "live.sampled" : "live.not_computed");
+    for (const note of line.querySelectorAll<HTMLElement>(".grade")) note.textContent = grade;
     if (!measure.requirement) return null;
     const verdict = met(measure.requirement, found, rowsOf());
     const place = line.querySelector<HTMLElement>(".mark");
