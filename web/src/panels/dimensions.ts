@@ -1,6 +1,6 @@
 // The numbers of the model file: a slider and an entry for each, which hold it against drags, and bring it back.
 
-import { html } from "../drawing/elements.ts";
+import { html, svg } from "../drawing/elements.ts";
 import type { LiveNumber } from "../live/live_data.ts";
 import type { LiveModel } from "../live/live_model.ts";
 import { nice } from "../scene/numbers.ts";
@@ -67,13 +67,11 @@ function row(parent: Element, live: LiveModel, i: number, say: Say, why: string)
   const slider = html("input", { type: "range", "aria-label": label, ...span(number.low, number.high, size) }, line);
   const entry = html("input", { id, type: "text", inputmode: "decimal", autocomplete: "off" }, line);
   html("span", { class: "unit" }, line, unit);
-  const hold = button(line, "hold", say("live.hold"), "🔓");
-  const back = button(line, "back", say("live.reset_one"), "↺");
+  const hold = button(line, "hold", say("live.hold"), LOCK);
+  const back = button(line, "back", say("live.reset_one"), BACK);
   hold.setAttribute("aria-pressed", "false");
   hold.addEventListener("click", () => {
-    const held = hold.getAttribute("aria-pressed") !== "true";
-    hold.setAttribute("aria-pressed", String(held));
-    hold.textContent = held ? "🔒" : "🔓";
+    hold.setAttribute("aria-pressed", String(hold.getAttribute("aria-pressed") !== "true"));
   });
   back.addEventListener("click", () => live.reset(i));
   slider.addEventListener("input", () => live.set(i, Number(slider.value) * size));
@@ -100,8 +98,14 @@ function row(parent: Element, live: LiveModel, i: number, say: Say, why: string)
   return { slider, entry, hold, back };
 }
 
+/** Signs of buttons, drawn: few fonts have them. */
+const LOCK = "M5 9V6.5a4 4 0 0 1 8 0V9M3.5 9h11v7h-11z";
+const BACK = "M4 8a5.5 5.5 0 1 1-.5 3M4 3.5V8h4.5";
+
 function button(parent: Element, kind: string, label: string, sign: string): HTMLButtonElement {
-  return html("button", { type: "button", class: kind, "aria-label": label, title: label }, parent, sign);
+  const made = html("button", { type: "button", class: kind, "aria-label": label, title: label }, parent);
+  svg("path", { d: sign }, svg("svg", { viewBox: "0 0 18 18", "aria-hidden": "true" }, made));
+  return made;
 }
 
 /** The ends and the step of a slider, in the number's unit. */
