@@ -177,7 +177,8 @@ class LiveData(TypedDict):
     report's units. ``poses``: the links whose poses come first among the programs' outputs, four rows each;
     ``signals``: the names of the rows behind them, with the ``sizes`` of their units; ``wrapped`` are the numbers of
     those that are angles without whole turns. ``probes``: a value of each row, which the page must find too, but for
-    round-off of its ``scales``. ``measures``: what is taken of the samples.
+    round-off of its ``scales``. ``measures``: what is taken of the samples. With ``power`` the last two rows are what
+    the powers of a pose leave, and their size (W).
     ``numbers``: what can be moved, and the ``lines`` of the file where it stands, by their number. ``drives`` and
     ``parameters`` by their number.
     """
@@ -194,6 +195,7 @@ class LiveData(TypedDict):
     probes: Values
     scales: Sequence[float]
     measures: Sequence[Mapping[str, object]]
+    power: bool
     numbers: Sequence[LiveNumber]
     lines: Mapping[str, str]
     drives: Sequence[str]

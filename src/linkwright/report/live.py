@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from linkwright.compilation import compile_mechanism
 from linkwright.expressions.units import ANGLE, LENGTH, TIME
 from linkwright.findings import ModelError
+from linkwright.graph.power_rows import PowerRow
 from linkwright.kernels.page_programs import PagePrograms, page_programs
 from linkwright.measures import live_measures, live_rows
 from linkwright.model.document import Document
@@ -52,7 +53,10 @@ def live_data(document: Document, text: str, result: Result, scene: Scene, plots
     signals, quantities = [*names], recorded.quantities
     measures = live_measures(compiled)
     measured = live_rows(measures)
-    made = page_programs(compiled, [*compiled.graph.pose_rows, *signals], measured)
+    weighs = any(compiled.mechanism.has_mass(link) for link in compiled.mechanism.links)
+    power = weighs or any(one.kind.acts for one in compiled.mechanism.acting())
+    balance = [PowerRow(), PowerRow(size=True)] if power else []
+    made = page_programs(compiled, [*compiled.graph.pose_rows, *signals, *balance], measured)
     values = [*recorded.evaluate(recorded.graph.pose_rows, result.t), *(result[name] for name in signals)]
     lines = text.splitlines()
     numbers = _numbers(made, named, text)
@@ -68,6 +72,7 @@ def live_data(document: Document, text: str, result: Result, scene: Scene, plots
         "wrapped": [i for i, name in enumerate(signals) if recorded.graph.wrapped(name)],
         "probes": [known(float(row[i * PROBE % result.t.size])) for i, row in enumerate(values)],
         "scales": _scales(values, [*("pose" for _ in compiled.graph.pose_rows), *map(result.dimension, signals)]),
+        "power": power,
         "measures": [one.data({row: i for i, row in enumerate(measured)}) for one in measures],
         "numbers": numbers,
         "lines": {str(one["line"]): lines[one["line"] - 1] for one in numbers if one["line"]},

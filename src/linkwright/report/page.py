@@ -17,6 +17,7 @@ from linkwright.words import say
 
 LIVE_WORDS = (
     "back",
+    "balances",
     "changed",
     "closes",
     "copy",

@@ -38,6 +38,8 @@ export interface LiveData {
   readonly probes: readonly (number | null)[];
   readonly scales: readonly number[];
   readonly measures: readonly LiveMeasure[];
+  /** Whether the last two rows are what the powers of a pose leave, and their size. */
+  readonly power: boolean;
   readonly numbers: readonly LiveNumber[];
   /** The lines of the file in which numbers stand, by their number. */
   readonly lines: Readonly<Record<string, string>>;

@@ -91,6 +91,15 @@ export class LiveModel {
     return at < 0 ? undefined : motion.rows[4 * this.data.poses.length + at];
   }
 
+  /** What is left of the balance of power, over the largest powers; null where nothing has any. */
+  get powerResidual(): number | null {
+    const [left, size] = this.motion.rows.slice(-2);
+    if (!this.data.power || !left || !size) return null;
+    const most = (row: Float64Array): number =>
+      row.reduce((largest, value) => (Math.abs(value) > largest ? Math.abs(value) : largest), 0);
+    return most(size) ? most(left) / most(size) : null;
+  }
+
   private compute(): void {
     this.motion = this.run(this.values);
     if (!this.motion.failure) this.closing = this.values.slice();

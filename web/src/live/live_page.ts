@@ -2,6 +2,7 @@
 
 import { html } from "../drawing/elements.ts";
 import type { Drawing } from "../drawing/render.ts";
+import { still } from "../drawing/still.ts";
 import { speaker } from "../drawing/words.ts";
 import { dimensions, written } from "../panels/dimensions.ts";
 import { found } from "../panels/found.ts";
@@ -34,6 +35,14 @@ export function livePage({ live, drawing, charts, scene, plots, time, texts, loc
   const panel = dimensions(box, live, say, locked);
   const table = measured(live, say, time);
   const { shapes, hint } = modes(found("#drawing .lw"), drawing, say);
+  const caption = found<HTMLElement>("figure.paper figcaption");
+  const captioned = caption.textContent;
+  let resting = 0;
+  /** The picture for paper follows when the numbers rest. */
+  const toPaper = (now: Scene): void => {
+    still({ model: now, el: found("#still"), words: texts });
+    caption.textContent = live.changed ? `◐ ${say("live.changed")}. ${captioned}` : captioned;
+  };
   let waiting = false;
   const update = (): void => {
     waiting = false;
@@ -43,6 +52,8 @@ export function livePage({ live, drawing, charts, scene, plots, time, texts, loc
     table.update();
     panel.update();
     state.update(now);
+    clearTimeout(resting);
+    resting = window.setTimeout(() => toPaper(now), 150);
   };
   live.on(() => {
     if (!waiting) requestAnimationFrame(update);

@@ -60,13 +60,14 @@ export function liveState(
   return { update };
 }
 
-/** What there is to say of the motion of the moment, in a sentence. */
+/** What there is to say of the motion of the moment. */
 function stateLine(live: LiveModel, say: Say, { unit }: Pick<TimeAxis, "unit">, scene: Scene): string {
   const { data, motion } = live;
   const { failure } = motion;
   if (!failure) {
-    const error = closureError(scene);
-    return filled(say("live.closes"), { error: error.toExponential(1) });
+    const closes = filled(say("live.closes"), { error: closureError(scene).toExponential(1) });
+    const left = live.powerResidual;
+    return left === null ? closes : `${closes} ${filled(say("live.balances"), { error: left.toExponential(1) })}`;
   }
   const names: Record<string, string | undefined> = {
     parameter: data.parameters[failure.index],
