@@ -150,8 +150,8 @@ class LiveNumber(TypedDict):
 
     ``label`` is its place in short; ``value`` and the bounds ``low`` and ``high``, those of its ``tolerance``, and
     ``scale``, by which changes of numbers are compared, are in SI; ``size`` is the SI value of its ``unit``. A
-    ``named`` one is a parameter. ``locked`` says why it can't be moved. ``line`` (from 1), ``start`` and ``end`` are
-    where its digits stand in the file.
+    ``named`` one is a parameter. ``locked`` says why it can't be moved. Its digits stand in columns ``start``
+    to ``end`` of a ``line`` of the data.
     """
 
     name: str
@@ -179,7 +179,7 @@ class LiveData(TypedDict):
     those that are angles without whole turns. ``probes``: a value of each row, which the page must find too, but for
     round-off of its ``scales``. ``measures``: what is taken of the samples. With ``power`` the last two rows are what
     the powers of a pose leave, and their size (W).
-    ``numbers``: what can be moved, and the ``lines`` of the file where it stands, by their number. ``drives`` and
+    ``numbers``: what can be moved, and the ``lines`` of the file where it stands. ``drives`` and
     ``parameters`` by their number.
     """
 
@@ -197,7 +197,7 @@ class LiveData(TypedDict):
     measures: Sequence[Mapping[str, object]]
     power: bool
     numbers: Sequence[LiveNumber]
-    lines: Mapping[str, str]
+    lines: Sequence[str]
     drives: Sequence[str]
     parameters: Sequence[str]
 

@@ -58,8 +58,7 @@ def live_data(document: Document, text: str, result: Result, scene: Scene, plots
     balance = [PowerRow(), PowerRow(size=True)] if power else []
     made = page_programs(compiled, [*compiled.graph.pose_rows, *signals, *balance], measured)
     values = [*recorded.evaluate(recorded.graph.pose_rows, result.t), *(result[name] for name in signals)]
-    lines = text.splitlines()
-    numbers = _numbers(made, named, text)
+    numbers, lines = _numbers(made, named, text)
     return {
         "code": made.code(),
         "program": made.data(),
@@ -75,7 +74,7 @@ def live_data(document: Document, text: str, result: Result, scene: Scene, plots
         "power": power,
         "measures": [one.data({row: i for i, row in enumerate(measured)}) for one in measures],
         "numbers": numbers,
-        "lines": {str(one["line"]): lines[one["line"] - 1] for one in numbers if one["line"]},
+        "lines": lines,
         "drives": list(compiled.graph.drives),
         "parameters": list(compiled.graph.parameters),
     }
@@ -90,9 +89,10 @@ def _scales(rows: Sequence[Array], kinds: Sequence[object]) -> list[float]:
     return [max(most, 1e-6 * of_kind[kind]) for kind, most in zip(kinds, largest, strict=True)]
 
 
-def _numbers(made: PagePrograms, named: NamedNumbers, text: str) -> list[LiveNumber]:
-    """The numbers that stand in the text and are free."""
+def _numbers(made: PagePrograms, named: NamedNumbers, text: str) -> tuple[list[LiveNumber], list[str]]:
+    """The numbers that stand in the text and are free; the lines in which they do."""
     found: list[LiveNumber] = []
+    lines, whole = dict[int, int](), text.splitlines()
     free, stated = {*made.derived.inputs}, made.compiled.mechanism.parameters
     scales = {LENGTH: made.compiled.assembly.size(), ANGLE: 1.0}
     for one in live_numbers(named, text):
@@ -114,12 +114,12 @@ def _numbers(made: PagePrograms, named: NamedNumbers, text: str) -> list[LiveNum
                 "size": one["size"],
                 "named": name not in named.numbers and name in stated,
                 "locked": "" if why is None else why.said("what"),
-                "line": one["line"],
+                "line": lines.setdefault(one["line"], len(lines)),
                 "start": one["start"],
                 "end": one["end"],
             }
         )
-    return found
+    return found, [whole[line - 1] for line in lines]
 
 
 def without_values(scene: Scene) -> dict[str, object]:

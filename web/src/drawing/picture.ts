@@ -85,8 +85,9 @@ export function draw(
 
 /** The mechanism as it was, and the paths of its points. */
 function originalOf(facts: Facts, view: View, r: number, before: Drawn | null): Original {
-  const same = before && before.view.k === view.k && before.view.width === view.width && before.view.height === view.height;
-  if (same && before.original?.facts === facts) return before.original;
+  const kept = before?.original;
+  const { k, width, height } = before?.view ?? { k: 0, width: 0, height: 0 };
+  if (kept?.facts === facts && k === view.k && width === view.width && height === view.height) return kept;
   const group = svg("g", { class: "lw-original" });
   traces(facts, view, group);
   return { facts, group, move: bodies(facts, view, r, group) };

@@ -47,12 +47,14 @@ ${COLOURS}
 .lw-original circle{display:none}
 .lw-opening path{stroke:var(--lw-warn);stroke-width:1.5;stroke-dasharray:2 3;fill:none}
 .lw-opening circle{fill:none;stroke:var(--lw-warn);stroke-width:1.7;stroke-dasharray:7 7}
-.lw-drawing .lw-opening text{fill:var(--lw-warn);font-weight:600;paint-order:stroke;stroke:var(--lw-paper);stroke-width:3px}
+.lw-drawing .lw-opening text{fill:var(--lw-warn);font-weight:600}
+.lw-opening text{paint-order:stroke;stroke:var(--lw-paper);stroke-width:3px}
 .lw-grabbable{cursor:grab}
 .lw-dragging{cursor:grabbing}
 .lw-live{touch-action:pan-y}
 .lw-modes{display:flex;gap:.35rem;align-items:center;margin-top:.5rem;font-size:13px;color:var(--lw-muted)}
-.lw-modes button{font:inherit;color:inherit;background:var(--lw-paper);border:1px solid var(--lw-line);border-radius:4px;padding:2px 8px;cursor:pointer}
+.lw-modes button{font:inherit;color:inherit;background:var(--lw-paper);padding:2px 8px;cursor:pointer}
+.lw-modes button{border:1px solid var(--lw-line);border-radius:4px}
 .lw-modes button[aria-pressed="true"]{color:var(--lw-paper);background:var(--lw-accent);border-color:var(--lw-accent)}
 .lw-hint{color:var(--lw-warn)}
 .lw-ghost *{fill:none;stroke-width:1}

@@ -18,7 +18,7 @@ export interface LiveNumber {
   readonly locked: boolean;
   /** What a change is measured by. */
   readonly scale: number;
-  /** The line of the file, from 1, and the columns of the digits in it; none where it stands nowhere. */
+  /** Its line among those of the data, and the columns of its digits there. */
   readonly line: number;
   readonly start: number;
   readonly end: number;
@@ -41,8 +41,8 @@ export interface LiveData {
   /** Whether the last two rows are what the powers of a pose leave, and their size. */
   readonly power: boolean;
   readonly numbers: readonly LiveNumber[];
-  /** The lines of the file in which numbers stand, by their number. */
-  readonly lines: Readonly<Record<string, string>>;
+  /** The lines of the file in which numbers stand. */
+  readonly lines: readonly string[];
   readonly drives: readonly string[];
   readonly parameters: readonly string[];
 }
