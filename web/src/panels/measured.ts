@@ -73,7 +73,7 @@ export function measured(live: LiveModel, say: Say, time: Pick<TimeAxis, "unit">
         else values[i]!.after(html("span", { class: "note was" }, null, text));
       }
     });
-    const grade = say(isLive(measure) ? "live.sampled" : "live.not_computed");
+    const grade = isLive(measure) ? say("live.sampled") : say("live.not_computed");
     for (const note of line.querySelectorAll<HTMLElement>(".grade")) note.textContent = grade;
     if (!measure.requirement) return null;
     const verdict = met(measure.requirement, found, rowsOf());
