@@ -39,6 +39,7 @@ def page(data: ReportData) -> str:
         scripts=[f"/*! uPlot\n{asset(__package__, 'LICENSE.uplot.txt').strip()}\n*/\n{_built('report.js')}"],
         words=partial(_words, data),
         before=_built("uplot.min.css") + "\n",
+        style="\n" + asset(__package__, "mechanism.css"),
     )
 
 

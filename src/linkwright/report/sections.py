@@ -9,6 +9,7 @@ from linkwright.findings import Text
 from linkwright.presentation.blocks import Check, Checks, Measure, Measures
 from linkwright.report.data import Failure, Plot, ReportData
 from linkwright.report.html_blocks import mark
+from linkwright.report.mechanism_drawing import drawing
 from linkwright.report.prose import prose
 from linkwright.words import say
 
@@ -83,13 +84,14 @@ def _findings(data: ReportData, name: str, found: Sequence[Failure], kind: str, 
 
 
 def stage(data: ReportData) -> str:
-    """Places for the animated drawing (screen) and the one with ghost poses (paper)."""
+    """Places for the animated drawing (screen) and the one with ghost poses (paper), and the latter itself for pages
+    whose scripts don't run."""
+    caption = f"<figcaption>{markup(say('report.still'))}</figcaption>"
     return (
         f'<section id="mechanism"><h2>{markup(say("report.mechanism"))}</h2>'
         f'<div id="drawing" class="panel screen"></div>'
-        f'<figure class="paper"><div id="still"></div>'
-        f"<figcaption>{markup(say('report.still'))}</figcaption></figure>"
-        f"<noscript><p>{markup(say('report.no_script'))}</p></noscript></section>"
+        f'<figure class="paper"><div id="still"></div>{caption}</figure>'
+        f'<noscript><figure class="panel">{drawing(data["scene"])}{caption}</figure></noscript></section>'
     )
 
 
@@ -105,14 +107,15 @@ def structure(data: ReportData) -> str:
 
 
 def plots(data: ReportData) -> str:
-    """One figure per plot under its group's heading; the script fills them."""
+    """One figure per plot under its group's heading; the script fills them, and where none runs a sentence says so."""
+    absent = f"<noscript><p>{markup(say('report.no_script'))}</p></noscript>"
     hint = f'<p class="hint screen">{markup(say("report.plots_hint"))}</p>'
     out = ""
     for group in GROUPS:
         figures = "".join(_plot(i, plot) for i, plot in enumerate(data["plots"]) if plot["group"] == group)
         if figures:
             title = f"<h2>{markup(say(f'report.{group}'))}</h2>"
-            out += f'<section id="{group}">{title}{hint}<div class="plots">{figures}</div></section>'
+            out += f'<section id="{group}">{title}{absent}{hint}<div class="plots">{figures}</div></section>'
             hint = ""
     whole = markup(say("report.whole_time"))
     return out and f'{out}<button type="button" id="whole" class="screen" hidden>{whole}</button>'

@@ -30,7 +30,7 @@ TEXTS: dict[str, str] = {
     "report.model_show": "Model file",
     "report.modes": "Assembly modes",
     "report.motion": "Motion",
-    "report.no_script": "The animated drawing and the plots need JavaScript.",
+    "report.no_script": "The plots need JavaScript.",
     "report.not_assembled": "Can't be assembled here",
     "report.pass": "passed",
     "report.notes": "Notes",

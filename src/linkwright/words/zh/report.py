@@ -30,7 +30,7 @@ TEXTS: dict[str, str] = {
     "report.model_show": "模型文件",
     "report.modes": "装配模式",
     "report.motion": "运动",
-    "report.no_script": "动画和曲线图需要启用 JavaScript。",
+    "report.no_script": "曲线图需要启用 JavaScript。",
     "report.not_assembled": "此处无法装配",
     "report.pass": "合格",
     "report.notes": "提示",
