@@ -110,11 +110,11 @@ def said(monkeypatch: pytest.MonkeyPatch) -> Callable[[str], None]:
 
 def test_hostile_names_are_text_everywhere(report: ReportData, said: Callable[[str], None]) -> None:
     clean = [tag for tag, _ in Page(page(report)).tags]
-    for key in ("title", "subtitle", "source", "origin", "version", "model_text"):
+    for key in ("title", "subtitle", "source", "version", "model_text"):
         report[key] = HOSTILE
     said(HOSTILE)
     report["sections"] = [hostile(section) for section in report["sections"]]
-    for fact in report["structure"]:
+    for fact in (*report["structure"], *report["title_block"]):
         fact.update(name=HOSTILE, sentence=HOSTILE)
     for plot in report["plots"]:
         plot.update(title=HOSTILE, unit=HOSTILE)
@@ -158,7 +158,9 @@ def test_empty_parts_leave_no_headings(report: ReportData) -> None:
 
 def test_every_word_comes_from_the_catalogue(report: ReportData, said: Callable[[str], None]) -> None:
     """With every word marked, no letter outside the marks is left but those of the data."""
-    report.update(title="1", subtitle="2", source="6", version="3", model_text="4", origin="5", plots=[], structure=[])
+    report.update(
+        title="1", subtitle="2", source="6", version="3", model_text="4", title_block=[], plots=[], structure=[]
+    )
     report.update(sections=[], notes=[], failures=[])
     said("#")
     body = page(report).split("<body>")[1].split("<script")[0]

@@ -33,9 +33,18 @@ def header(data: ReportData) -> str:
     source = f'<p class="source">{prose(data["source"])}</p>' if data["source"] else ""
     return (
         f"<header><h1>{markup(data['title'])}</h1>{subtitle}{source}"
-        f'<p class="origin">{markup(data["origin"])}</p>'
+        f"{_title_block(data)}"
         f'<p class="summary">{" ".join(badges)}</p>{_contents(data)}</header>'
     )
+
+
+def _title_block(data: ReportData) -> str:
+    """Where the results come from, in pairs."""
+    pairs = "".join(
+        f"<div><dt>{markup(entry['name'])}</dt><dd>{markup(entry['sentence'])}</dd></div>"
+        for entry in data["title_block"]
+    )
+    return f'<dl class="title-block" aria-label="{markup(say("report.title_block"))}">{pairs}</dl>'
 
 
 def measures(data: ReportData) -> list[Measure]:
