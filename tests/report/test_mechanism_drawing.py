@@ -160,7 +160,11 @@ def declarations(css: str) -> dict[str, dict[str, str]]:
 
 def test_it_looks_like_the_script_s_drawing() -> None:
     """Both style sheets say the same of what both draw."""
-    css = (files("linkwright.report") / "assets" / "mechanism.css").read_text("utf-8").split("@media screen and (max-width")[0]
+    css = (
+        (files("linkwright.report") / "assets" / "mechanism.css")
+        .read_text("utf-8")
+        .split("@media screen and (max-width")[0]
+    )
     ours = declarations(css)
     source = STYLES.read_text("utf-8")
     light, dark = (dict(re.findall(r"(--lw-[\w]+):(#\w+)", part)) for part in source.split("const DARK")[:2])

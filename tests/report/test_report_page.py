@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from linkwright.presentation.blocks import Checks, Measures, Section
+from linkwright.presentation.blocks import Checks, Measures, Section, Sentences
 from linkwright.presentation.payload import script_json
 from linkwright.report import ReportData, compact, page
 from linkwright.report.page import SCRIPT_WORDS
@@ -134,6 +134,16 @@ def test_verdicts_read_without_colour(report: ReportData) -> None:
     assert "✓</span> passed" in html
     assert "✗</span> failed" in html
     assert "Requirements: 1 of 2 passed" in html
+
+
+def test_results_come_before_what_verifies_them(report: ReportData) -> None:
+    """Whatever the order of the studies, on the page as in its contents; the line in the header leads there."""
+    report["sections"] = [*reversed(report["sections"]), Section("limits", [Sentences(["One."])])]
+    html = page(report)
+    order = ["measures", "limits", "motion", "force", "certificate", "structure", "model"]
+    assert re.findall(r'<section id="(\w+)"', html) == ["mechanism", *order]
+    assert re.findall(r'<a href="#(\w+)">', html.split("<nav aria")[1].split("</nav>")[0]) == ["mechanism", *order]
+    assert '<a href="#certificate"><span class="mark bad">' in html.split("<nav aria")[0]
 
 
 def test_failures_make_a_banner(report: ReportData) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from linkwright.escape import markup
 from linkwright.findings import Text
-from linkwright.presentation.blocks import Check, Checks, Measure, Measures
+from linkwright.presentation.blocks import Check, Checks, Measure, Measures, Section
 from linkwright.report.data import Failure, Plot, ReportData
 from linkwright.report.html_blocks import mark
 from linkwright.report.mechanism_drawing import drawing
@@ -28,7 +28,8 @@ def header(data: ReportData) -> str:
         badges.append(mark(all(required), text))
     if checks:
         text = say("report.summary_checks", ok=sum(checks), total=len(checks))
-        badges.append(mark(all(checks), text))
+        (place,) = [part.name for part in verification(data)][:1]
+        badges.append(f'<a href="#{place}">{mark(all(checks), text)}</a>')
     subtitle = f'<p class="subtitle">{prose(data["subtitle"])}</p>' if data["subtitle"] else ""
     source = f'<p class="source">{prose(data["source"])}</p>' if data["source"] else ""
     return (
@@ -47,6 +48,20 @@ def _title_block(data: ReportData) -> str:
     return f'<dl class="title-block" aria-label="{markup(say("report.title_block"))}">{pairs}</dl>'
 
 
+def results(data: ReportData) -> list[Section]:
+    """What the studies show but for what verifies it; these come first on the page."""
+    return [part for part in data["sections"] if not _verifies(part)]
+
+
+def verification(data: ReportData) -> list[Section]:
+    """The sections with checks."""
+    return [part for part in data["sections"] if _verifies(part)]
+
+
+def _verifies(part: Section) -> bool:
+    return any(isinstance(block, Checks) for block in part.blocks)
+
+
 def measures(data: ReportData) -> list[Measure]:
     """All measures of the page."""
     return [one for part in data["sections"] for b in part.blocks if isinstance(b, Measures) for one in b.measures]
@@ -58,8 +73,9 @@ def checks_of(data: ReportData) -> list[Check]:
 
 
 def _contents(data: ReportData) -> str:
-    parts = [("mechanism", True), *((part.name, part.shown) for part in data["sections"])]
+    parts = [("mechanism", True), *((part.name, part.shown) for part in results(data))]
     parts += [(group, any(plot["group"] == group for plot in data["plots"])) for group in GROUPS]
+    parts += [(part.name, part.shown) for part in verification(data)]
     parts += [("structure", bool(data["structure"])), ("model", bool(data["model_text"]))]
     links = (f'<a href="#{name}">{markup(say(f"report.{name}"))}</a>' for name, here in parts if here)
     return f'<nav aria-label="{markup(say("report.contents"))}">{"".join(links)}</nav>'

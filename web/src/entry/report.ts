@@ -3,6 +3,7 @@
 import { type Drawing, render } from "../drawing/render.ts";
 import { still } from "../drawing/still.ts";
 import { copyButtons } from "../panels/copy.ts";
+import { openLinkedParts } from "../panels/folded.ts";
 import { found } from "../panels/found.ts";
 import { pageData } from "../panels/page_data.ts";
 import { whenPrinted } from "../panels/print.ts";
@@ -29,6 +30,7 @@ copyButtons(
   () => words.texts["report.copied"] ?? "",
 );
 stacks();
+openLinkedParts();
 
 declare global {
   /** For the browser's console and for tests. */
