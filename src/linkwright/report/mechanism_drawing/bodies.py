@@ -10,13 +10,16 @@ from numpy.typing import NDArray
 
 from linkwright.report.data import LinkData
 from linkwright.report.mechanism_drawing.joints import HEIGHT, LENGTH, Guide, Side
-from linkwright.report.mechanism_drawing.shapes import hull, line, outline
+from linkwright.report.mechanism_drawing.shapes import UNSEEN, hull, line, outline
 from linkwright.report.mechanism_drawing.survey import Survey
 from linkwright.report.mechanism_drawing.view import View
 
 Array = NDArray[np.float64]
 Placed = Callable[[Array], Array]
 """From a link's axes into the picture."""
+
+FAINT = 0.5
+"""Faint lines may differ by so much from those that they stand for, in pixels."""
 
 
 @dataclass
@@ -43,13 +46,13 @@ def ghosts(survey: Survey, view: View, r: float, samples: list[int]) -> str:
     """The lines of all moving links at some samples, one path a link."""
     paths = ""
     for link in survey.moving:
-        each = (_layers(link, survey, view, r, k) for k in samples)
+        each = (_layers(link, survey, view, r, k, FAINT) for k in samples)
         d = "".join(d for of in each for layer in (of.slots, of.bodies, of.blocks) for _, d in layer)
         paths += f'<path class="{survey.colour(link["name"])}" d="{d}"/>' if d else ""
     return f'<g class="lw-ghost">{paths}</g>' if paths else ""
 
 
-def _layers(link: LinkData, survey: Survey, view: View, r: float, k: int) -> Layers:
+def _layers(link: LinkData, survey: Survey, view: View, r: float, k: int, unseen: float = UNSEEN) -> Layers:
     poses, found = survey.poses[link["name"]], Layers()
     if not poses.known[k]:
         return found
@@ -64,7 +67,7 @@ def _layers(link: LinkData, survey: Survey, view: View, r: float, k: int) -> Lay
                 sliding = True
                 _slide(guide, side, view, placed, found)
     for shape in link.get("outlines", ()):
-        found.slots.append(("lw-slot lw-outline", line(placed(np.array(shape, float)), closed=True)))
+        found.slots.append(("lw-slot lw-outline", line(placed(np.array(shape, float)), closed=True, unseen=unseen)))
     ring = hull(np.array(list(link["points"].values()), float).reshape(-1, 2) * view.k) / view.k
     if len(ring) > 1 or not sliding:
         found.bodies.append(("lw-body", outline(placed(ring), r)))

@@ -28,19 +28,20 @@ def written(places: Iterable[Iterable[float]]) -> str:
     return "L".join(" ".join(number(value) for value in place) for place in places)
 
 
-def line(places: Array, *, closed: bool = False) -> str:
-    """A line through places, interrupted where there is none, by no more points than can be seen."""
+def line(places: Array, *, closed: bool = False, unseen: float = UNSEEN) -> str:
+    """A line through places, interrupted where there is none, by no more points than are needed to stay within
+    ``unseen`` pixels of it."""
     known = np.isfinite(places).all(axis=1)
     ends = np.flatnonzero(np.diff(known)) + 1
     pieces = [part for part in np.split(places, ends) if len(part) > 1 and np.isfinite(part).all()]
-    return "".join(f"M{written(_thinned(part, closed))}{'Z' * closed}" for part in pieces)
+    return "".join(f"M{written(_thinned(part, closed, unseen))}{'Z' * closed}" for part in pieces)
 
 
-def _thinned(places: Array, closed: bool) -> Array:
+def _thinned(places: Array, closed: bool, unseen: float) -> Array:
     import shapely
 
     ring = np.concatenate([places, places[:1]]) if closed else places
-    seen = np.array(shapely.LineString(ring).simplify(UNSEEN, preserve_topology=False).coords)
+    seen = np.array(shapely.LineString(ring).simplify(unseen, preserve_topology=False).coords)
     if len(seen) > MOST_POINTS:
         seen = ring[np.linspace(0, len(ring) - 1, MOST_POINTS).round().astype(int)]
     return seen[:-1] if closed and len(seen) > 2 else seen
