@@ -131,7 +131,7 @@ class Plot(TypedDict):
 
 
 class Fact(TypedDict):
-    """One line about the structure."""
+    """One line about the structure, or of the title block."""
 
     name: Text
     sentence: Text
@@ -203,14 +203,14 @@ class LiveData(TypedDict):
 
 
 class ReportData(TypedDict):
-    """Everything on the page. Sentences: ``source``, what the mechanism is taken from; ``origin``, model file, hash,
-    date and version. ``sections``: what the studies show. With ``live`` the page computes the values of scene and plots
-    itself."""
+    """Everything on the page. Sentences: ``source``, what the mechanism is taken from; ``title_block``: model
+    file, hash, date, author, revision and version. ``sections``: what the studies show. With ``live`` the page computes
+    the values of scene and plots itself."""
 
     title: str
     subtitle: str
     source: Text
-    origin: Text
+    title_block: Sequence[Fact]
     version: str
     time: Time
     scene: Scene

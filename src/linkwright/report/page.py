@@ -83,6 +83,7 @@ def page(data: ReportData) -> str:
         scripts=scripts,
         words=partial(_words, data),
         before=_built("uplot.min.css") + "\n",
+        style="\n" + asset(__package__, "mechanism.css"),
     )
 
 
@@ -96,8 +97,9 @@ def _body(data: ReportData) -> str:
             sections.stage(data),
             '<div class="results">',
             sections.dimensions(data),
-            *map(section, data["sections"]),
+            *map(section, sections.results(data)),
             sections.plots(data),
+            *map(section, sections.verification(data)),
             sections.structure(data),
             sections.model(data),
             "</div>",
