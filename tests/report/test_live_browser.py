@@ -120,7 +120,7 @@ def test_a_slider_moves_all_of_the_page(show: Callable[..., Opened]) -> None:
     assert re.search(r"residual \d\.\de-1\d", state(view))
     view.page.get_by_role("button", name="Reset all").click()
     rested(view)
-    assert view.page.locator("main").inner_text() == before
+    assert view.page.locator("main").inner_text().replace("Undo\n\n", "") == before
     assert not view.page.locator(".mark.changed").is_visible()
 
 
@@ -188,7 +188,7 @@ def test_a_joint_follows_the_pointer(show: Callable[..., Opened], example: str, 
     assert abs(place(view, point, 40) - target) < 1e-6 * size
     values = np.array(view.page.evaluate("Array.from(linkwright.live.values)"))
     base = np.array(view.page.evaluate("linkwright.live.data.program.values"))
-    assert 0 < np.abs(values - base).max() < 0.2 * size
+    assert 0 < np.abs(values - base).max() < 0.5 * size
     assert view.page.evaluate("linkwright.live.changed")
     assert "Reset all" in view.page.locator(".live-tools").inner_text()
 
@@ -214,6 +214,33 @@ def test_motion_is_dragged_too(show: Callable[..., Opened]) -> None:
     drag(view, "B", 25 + 25j)
     assert view.page.evaluate("linkwright.drawing.time") != before
     assert not view.page.evaluate("linkwright.live.changed")
+
+
+def test_only_the_links_of_a_pin_change(show: Callable[..., Opened]) -> None:
+    """Unless Alt is pressed; Escape brings all back, and so does a step back after a drag."""
+    view = show("paper_feeder")
+    view.page.evaluate("linkwright.drawing.setIndex(60)")
+    script = "linkwright.live.data.numbers.filter((n, i) => linkwright.live.value(i) !== n.value).map(n => n.label)"
+    drag(view, "C", 12 + 8j)
+    assert set(view.page.evaluate(script)) == {"BC", "CD"}
+    view.page.keyboard.press("Control+z")
+    rested(view)
+    assert view.page.evaluate(script) == []
+    view.page.keyboard.down("Alt")
+    drag(view, "C", 12 + 8j)
+    view.page.keyboard.up("Alt")
+    assert "AB" in view.page.evaluate(script)
+    view.page.get_by_role("button", name="Undo").click()
+    here = view.pin("C")
+    view.page.mouse.move(here.real, -here.imag)
+    view.page.mouse.down()
+    view.page.mouse.move(here.real + 9, -here.imag + 9)
+    rested(view)
+    assert view.page.evaluate(script) != []
+    view.page.keyboard.press("Escape")
+    view.page.mouse.up()
+    rested(view)
+    assert view.page.evaluate(script) == []
 
 
 def test_out_of_reach(show: Callable[..., Opened]) -> None:

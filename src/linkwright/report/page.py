@@ -38,6 +38,7 @@ LIVE_WORDS = (
     "reset_one",
     "sampled",
     "shape",
+    "undo",
     "unsound",
     "within_tolerances",
 )

@@ -30,6 +30,13 @@ export function liveState(
     button.addEventListener("click", act);
     return button;
   };
+  const undo = tool("live.undo", () => live.undo());
+  document.addEventListener("keydown", (event) => {
+    const typing = event.target instanceof HTMLInputElement && event.target.type === "text";
+    if (event.key === "z" && (event.ctrlKey || event.metaKey) && !event.shiftKey && !typing && live.undo()) {
+      event.preventDefault();
+    }
+  });
   const reset = tool("live.reset", () => live.reset());
   const back = tool("live.back", () => live.back());
   const copied = tool("live.copy", async () => {
@@ -50,6 +57,7 @@ export function liveState(
     badge.hidden = !changed;
     badge.textContent = `◐ ${say("live.changed")}`;
     for (const button of [reset, copied]) button.hidden = !changed;
+    undo.hidden = !live.undoable;
     back.hidden = !motion.failure;
     lines.hidden = !changed;
     line.hidden = !changed && live.sound;

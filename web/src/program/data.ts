@@ -75,6 +75,8 @@ export interface ProgramData {
   measured: number;
   /** How many numbers the shapes of links are. */
   shape: number;
+  /** Of each link, which free parameters its points depend on. */
+  shaping: Record<string, number[]>;
   /** The points that may be dragged, and the links whose poses are known, by name. */
   points: string[];
   links: string[];

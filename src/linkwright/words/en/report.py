@@ -39,6 +39,7 @@ TEXTS: dict[str, str] = {
     "report.live.reset_one": "Reset to the value of the file",
     "report.live.sampled": "from samples, computed in this page",
     "report.live.shape": "Dimensions",
+    "report.live.undo": "Undo",
     "report.live.unsound": "This browser computes other values than the file's verified results; changes here aren't reliable.",
     "report.live.within_tolerances": "Only within tolerances",
     "report.source": "Source: {source}",

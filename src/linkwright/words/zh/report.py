@@ -39,6 +39,7 @@ TEXTS: dict[str, str] = {
     "report.live.reset_one": "恢复为文件中的数值",
     "report.live.sampled": "由本页面按采样点计算",
     "report.live.shape": "尺寸",
+    "report.live.undo": "撤销",
     "report.live.unsound": "此浏览器的计算值与文件经过验证的结果不一致，此处的修改不可靠。",
     "report.live.within_tolerances": "仅在公差范围内",
     "report.source": "来源：{source}",
