@@ -94,6 +94,24 @@ class SpringData(TypedDict):
     look: Literal["coil", "strut"]
 
 
+ArrowKind = Literal["velocity", "acceleration", "reaction", "load", "weight"]
+
+
+class ArrowData(TypedDict):
+    """An arrow of a live report: the labels of the two ``rows`` of its vector, in ``unit``.
+
+    It begins at a point, ``at`` = [link, point], or at the ``places`` in two other rows, in the length unit. ``name``
+    is what it belongs to: a point, a reaction, a load, a link.
+    """
+
+    kind: ArrowKind
+    name: str
+    unit: str
+    rows: Sequence[str]
+    at: NotRequired[Sequence[str]]
+    places: NotRequired[Sequence[str]]
+
+
 class AreaData(TypedDict):
     """What lies behind the mechanism: a shape by its rings of places [x, y], holes among them, in the length unit."""
 
@@ -102,7 +120,8 @@ class AreaData(TypedDict):
 
 
 class Scene(TypedDict):
-    """The mechanism as ``assets/mechanism.js`` draws it. ``time``: one entry per pose, increasing."""
+    """The mechanism as ``assets/mechanism.js`` draws it. ``time``: one entry per pose, increasing. ``driven``: the links
+    that drives turn, each with the link against which. ``values``: the rows that arrows name, where they are known."""
 
     length_unit: str
     time: Sequence[float]
@@ -112,6 +131,9 @@ class Scene(TypedDict):
     centrodes: NotRequired[Sequence[Centrode]]
     springs: NotRequired[Sequence[SpringData]]
     areas: NotRequired[Sequence[AreaData]]
+    driven: NotRequired[Sequence[Sequence[str]]]
+    arrows: NotRequired[Sequence[ArrowData]]
+    values: NotRequired[Mapping[str, Values]]
 
 
 class Series(TypedDict):

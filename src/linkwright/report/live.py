@@ -13,14 +13,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.compilation import compile_mechanism
-from linkwright.expressions.units import ANGLE, LENGTH, TIME
+from linkwright.expressions.units import ANGLE, LENGTH, TIME, Dimension
 from linkwright.findings import ModelError
+from linkwright.graph.rows import Named
 from linkwright.kernels.page_programs import PagePrograms, page_programs
 from linkwright.measures import live_measures, live_rows
 from linkwright.model.document import Document
 from linkwright.model.live_numbers import live_numbers
 from linkwright.model.named_numbers import NamedNumbers, named_numbers
 from linkwright.presentation.json_numbers import known
+from linkwright.report.arrows import Arrow, arrow_rows
 from linkwright.report.data import LiveData, LiveNumber, Plot, Scene
 from linkwright.results import Result
 from linkwright.studies.drive_sweep import Sweep
@@ -37,8 +39,10 @@ def can_be_live(result: Result) -> bool:
     return not isinstance(run, Sweep) and run.start == 0.0 < run.stop and not run.compiled.passages.every
 
 
-def live_data(document: Document, text: str, result: Result, scene: Scene, plots: Sequence[Plot]) -> LiveData | None:
-    """The data of a result that a report shows by this scene and these plots; ``text`` is that of the model file.
+def live_data(
+    document: Document, text: str, result: Result, scene: Scene, plots: Sequence[Plot], arrows: Sequence[Arrow] = ()
+) -> LiveData | None:
+    """The data of a result that a report shows by this scene, plots and arrows; ``text`` is that of the model file.
     ``None`` where the page can't compute it."""
     if not can_be_live(result):
         return None
@@ -49,11 +53,13 @@ def live_data(document: Document, text: str, result: Result, scene: Scene, plots
         return None
     names = dict.fromkeys(f"{trace['name']}.{axis}" for trace in scene["traces"] for axis in "xy")
     names |= dict.fromkeys(series["name"] for plot in plots for series in plot["series"])
-    signals, quantities = [*names], recorded.quantities
+    dimensions: dict[Named, Dimension] = {name: result.dimension(name) for name in names}
+    dimensions = arrow_rows(arrows) | dimensions
+    signals, quantities = [*dimensions], recorded.quantities
     measures = live_measures(compiled)
     measured = live_rows(measures)
     made = page_programs(compiled, [*compiled.graph.pose_rows, *signals], measured)
-    values = [*recorded.evaluate(recorded.graph.pose_rows, result.t), *(result[name] for name in signals)]
+    values = [*recorded.evaluate(recorded.graph.pose_rows, result.t), *_values(result, signals)]
     lines = text.splitlines()
     numbers = _numbers(made, named, text)
     return {
@@ -63,17 +69,24 @@ def live_data(document: Document, text: str, result: Result, scene: Scene, plots
         "length": quantities.unit_of(LENGTH)[1],
         "second": quantities.unit_of(TIME)[1],
         "poses": list(compiled.structure.topology.moving),
-        "signals": signals,
-        "sizes": [quantities.unit_of(result.dimension(name))[1] for name in signals],
-        "wrapped": [i for i, name in enumerate(signals) if recorded.graph.wrapped(name)],
+        "signals": recorded.graph.labels(signals),
+        "sizes": [quantities.unit_of(dimension)[1] for dimension in dimensions.values()],
+        "wrapped": [i for i, name in enumerate(signals) if isinstance(name, str) and recorded.graph.wrapped(name)],
         "probes": [known(float(row[i * PROBE % result.t.size])) for i, row in enumerate(values)],
-        "scales": _scales(values, [*("pose" for _ in compiled.graph.pose_rows), *map(result.dimension, signals)]),
+        "scales": _scales(values, [*("pose" for _ in compiled.graph.pose_rows), *dimensions.values()]),
         "measures": [one.data({row: i for i, row in enumerate(measured)}) for one in measures],
         "numbers": numbers,
         "lines": {str(one["line"]): lines[one["line"] - 1] for one in numbers if one["line"]},
         "drives": list(compiled.graph.drives),
         "parameters": list(compiled.graph.parameters),
     }
+
+
+def _values(result: Result, rows: Sequence[Named]) -> list[Array]:
+    """The values (SI) of signals, whose angles are continuous, and of other rows."""
+    others = [row for row in rows if not isinstance(row, str)]
+    found = dict(zip(others, result.run.compiled.evaluate(others, result.t), strict=True)) if others else {}
+    return [result[row] if isinstance(row, str) else found[row] for row in rows]
 
 
 def _scales(rows: Sequence[Array], kinds: Sequence[object]) -> list[float]:
