@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.elements.cylinder import ends_of
 from linkwright.escape import printed
 from linkwright.expressions.units import ACCELERATION, FORCE, LENGTH, SPEED, Dimension
 from linkwright.graph.force_rows import FORCE as FORCE_PARTS
@@ -85,11 +86,12 @@ def arrow_data(result: Result, shown: Sequence[Arrow]) -> list[ArrowData]:
 
 
 def _rates(result: Result) -> Iterator[Arrow]:
-    points = result.run.compiled.quantities.signals.links_of_points
+    compiled = result.run.compiled
+    points, unnamed = compiled.quantities.signals.links_of_points, ends_of(compiled.mechanism.cylinders)
     kinds: tuple[tuple[ArrowKind, str], ...] = (("velocity", "v"), ("acceleration", "a"))
     for kind, letter in kinds:
         for point, link in points.items():
-            if link != FRAME:
+            if link != FRAME and point not in unnamed:
                 yield Arrow(kind, point, (f"{point}.{letter}x", f"{point}.{letter}y"), None, (link, point))
 
 

@@ -8,6 +8,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.elements.cylinder import ends_of
 from linkwright.elements.force import FORCES, SignalChart
 from linkwright.escape import printed
 from linkwright.expressions.units import LENGTH, TIME, Dimension
@@ -191,7 +192,10 @@ def _traces(result: Result, size: float) -> list[Trace]:
 
 
 def _moving_points(result: Result) -> list[str]:
-    links_of_points = result.run.compiled.quantities.signals.links_of_points
+    """The points that move, in the file's order; those that no file names, as the ends of rods, are left out."""
+    compiled = result.run.compiled
+    unnamed = ends_of(compiled.mechanism.cylinders)
+    links_of_points = [p for p in compiled.quantities.signals.links_of_points if p not in unnamed]
     spans = {p: max(_span(result[f"{p}.x"]), _span(result[f"{p}.y"])) for p in links_of_points}
     largest = max(spans.values(), default=0.0)
     return [p for p, span in spans.items() if span > 1e-9 * largest]
