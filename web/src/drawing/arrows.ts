@@ -3,7 +3,7 @@
 import { type ArrowData, type ArrowKind, known, type LinkData, type Point } from "../scene/data.ts";
 import type { Scene, Values } from "../scene/data.ts";
 import { clamp } from "../scene/numbers.ts";
-import { shown, svg } from "./elements.ts";
+import { svg } from "./elements.ts";
 import { place, poseOf, spot } from "./poses.ts";
 import type { Facts } from "./survey.ts";
 import type { Move, View } from "./view.ts";
@@ -95,8 +95,7 @@ export function arrows(facts: Facts, view: View, factors: ReadonlyMap<ArrowKind,
       const from = beginning(arrow, facts.times, sample, f);
       const vector = spot(arrow.x, arrow.y, facts.times, sample, f);
       const d = from && vector ? arrowPath(view.toScreen(from), [scale * vector[0], -scale * vector[1]]) : "";
-      shown(path, d !== "");
-      if (d) path.setAttribute("d", d);
+      path.setAttribute("d", d);
     }
   };
 }

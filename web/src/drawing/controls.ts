@@ -55,8 +55,9 @@ export function controls(root: Element, facts: Facts, { say, time, real }: Contr
 
 /** The paths, all to be seen at first if they are few; else those of points that no joint holds, if there are any. */
 function paths(facts: Facts): Entry[] {
-  const { traces } = facts.scene;
-  const free = new Set(facts.pins.filter(({ joints }) => !joints.length).map(({ name }) => name));
+  const { traces, joints } = facts.scene;
+  const held = new Set(joints.flatMap(({ points }) => points));
+  const free = new Set(facts.pins.map(({ name }) => name).filter((name) => !held.has(name)));
   const some = traces.length > MANY && traces.some(({ name }) => free.has(name));
   return traces.map(({ name }, i) => ({ name, colour: traceColour(facts, i), checked: !some || free.has(name) }));
 }

@@ -53,12 +53,12 @@ export function thinned(texts: readonly Placed[]): () => void {
 /** About how wide a text is, in pixels: hanzi are as wide as they are high. */
 export function widthOf(text: string, size = 12): number {
   let width = 0;
-  for (const letter of text) width += /[\u2e80-\uffef]/.test(letter) ? 1 : 0.58;
+  for (const letter of text) width += /[\u2e80-\uffef]/.test(letter) ? 1 : 0.63;
   return width * size;
 }
 
 /** The box of a text that is anchored at a place. */
 export function textBox(text: string, x: number, y: number, anchor: "start" | "middle" | "end" = "middle"): TextBox {
-  const half = widthOf(text) / 2;
+  const half = widthOf(text) / 2 + 1;
   return { x: x + (anchor === "start" ? half : anchor === "end" ? -half : 0), y, half, high: 7 };
 }
