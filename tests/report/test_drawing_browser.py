@@ -133,7 +133,7 @@ def test_arrows_are_what_python_computes(show: Any) -> None:
             assert abs(start - view.pin(at)) < 0.05
             scale = vector / values[index]
             assert abs(scale.imag) * abs(values[index]) < 0.05  # it points where it should
-            if abs(vector) > 10:
+            if abs(vector) > 5:
                 scales.setdefault(kind, []).append(scale.real)
     for found in scales.values():
         assert len(found) > 2 and np.ptp(found) < 0.01 * max(found)

@@ -1,17 +1,13 @@
 // The row of what a drawing shows besides the mechanism: arrows by kind with their scales, dimensions, names.
 
 import type { ArrowKind } from "../scene/data.ts";
-import { nice } from "../scene/numbers.ts";
-import { ARROW_KINDS, arrowPath, arrowScale } from "./arrows.ts";
+import { keyOf, kindNames } from "./arrow_keys.ts";
+import { ARROW_KINDS } from "./arrows.ts";
 import { check } from "./check.ts";
-import { figure } from "./dimension_lines.ts";
 import { html, svg } from "./elements.ts";
 import type { Seen } from "./seen.ts";
 import type { Facts } from "./survey.ts";
 import type { Say } from "./words.ts";
-
-/** How long the key of a scale may be, in pixels. */
-const KEY = 46;
 
 export interface ShowRow {
   /** Keys of the scales follow the drawing's width. */
@@ -20,13 +16,7 @@ export interface ShowRow {
 
 /** `seen` is changed by the row; `changed` is called after that. */
 export function showRow(root: Element, facts: Facts, seen: Seen, say: Say, changed: () => void): ShowRow {
-  const names: Readonly<Record<ArrowKind, string>> = {
-    velocity: say("arrow_velocity"),
-    acceleration: say("arrow_acceleration"),
-    reaction: say("arrow_reaction"),
-    load: say("arrow_load"),
-    weight: say("arrow_weight"),
-  };
+  const names = kindNames(say);
   const row = html("div", { class: "lw-options lw-show", role: "group", "aria-label": say("show") }, root);
   html("span", {}, row, say("show"));
   const switched = (box: HTMLInputElement, act: (on: boolean) => void): void =>
@@ -55,17 +45,17 @@ export function showRow(root: Element, facts: Facts, seen: Seen, say: Say, chang
       write();
       changed();
     });
-    return { kind, arrow: svg("path", { class: `lw-arrow lw-${kind}` }, key), key, text };
+    return { kind, arrow: svg("path", { class: `lw-arrow lw-${kind}`, transform: "translate(0 5)" }, key), key, text };
   });
   const update = (now: Facts, width: number): void => {
     for (const { kind, arrow, key, text } of kinds) {
       const factor = seen.arrows.get(kind);
       if (factor === undefined) continue;
-      const pixels = arrowScale(now.longest, kind, factor, width);
-      const value = nice(KEY / pixels);
-      arrow.setAttribute("d", arrowPath([0, 5], [pixels * value, 0]));
-      key.setAttribute("width", String(Math.ceil(pixels * value)));
-      text.textContent = `${figure(value)} ${now.longest.get(kind)!.unit}`;
+      const found = keyOf(now, kind, factor, width);
+      if (!found) continue;
+      arrow.setAttribute("d", found.path);
+      key.setAttribute("width", String(Math.ceil(found.pixels)));
+      text.textContent = found.text;
     }
   };
   return { update };

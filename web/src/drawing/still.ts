@@ -1,6 +1,7 @@
 // One pose with faint others, for paper.
 
 import type { Scene, Texts } from "../scene/data.ts";
+import { arrowKeys } from "./arrow_keys.ts";
 import { frame } from "./frame.ts";
 import { draw } from "./picture.ts";
 import { type Seen, usual } from "./seen.ts";
@@ -26,8 +27,9 @@ export function still(options: StillOptions): SVGSVGElement {
   const count = Math.max(Math.min(ghosts, sound.length - 1), 0);
   const faint = Array.from({ length: count }, (_, i) => sound[Math.floor(((i + 1) * sound.length) / (count + 1))]!);
   const { drawing } = frame(el, say);
-  const { show, centrodes } = draw(drawing, facts, { width, most: height, seen }, say, faint);
+  const { show, centrodes, view } = draw(drawing, facts, { width, most: height, seen }, say, faint);
   for (const group of centrodes) group.remove();
+  arrowKeys(facts, view, seen.arrows, say, drawing);
   show(sound[0] ?? 0, 0);
   return drawing;
 }
