@@ -1,4 +1,4 @@
-"""The arrows of a report's drawing: velocities, accelerations, reactions, loads, weights, by the rows that are theirs."""
+"""The arrows of a report's drawing: velocities, accelerations, reactions, loads, weights, each by its rows."""
 
 from __future__ import annotations
 

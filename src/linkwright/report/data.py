@@ -120,8 +120,11 @@ class AreaData(TypedDict):
 
 
 class Scene(TypedDict):
-    """The mechanism as ``assets/mechanism.js`` draws it. ``time``: one entry per pose, increasing. ``driven``: the links
-    that drives turn, each with the link against which. ``values``: the rows that arrows name, where they are known."""
+    """The mechanism as ``assets/mechanism.js`` draws it.
+
+    ``time``: one entry per pose, increasing. ``driven``: the links that drives turn, each with the link against which.
+    ``values``: the rows that arrows name, where they are known.
+    """
 
     length_unit: str
     time: Sequence[float]

@@ -88,7 +88,9 @@ export function arrows(facts: Facts, view: View, factors: ReadonlyMap<ArrowKind,
     if (factor === undefined) return [];
     const scale = arrowScale(facts.longest, arrow.data.kind, factor, view.width);
     const look = { class: `lw-arrow lw-${arrow.data.kind}`, "data-arrow": arrow.data.name };
-    return [{ arrow, scale, path: svg("path", look, parent) }];
+    const path = svg("path", look, parent);
+    svg("title", {}, path).textContent = arrow.data.name;
+    return [{ arrow, scale, path }];
   });
   return (sample, f) => {
     for (const { arrow, scale, path } of parts) {

@@ -1,6 +1,5 @@
 // The row of what a drawing shows besides the mechanism: arrows by kind with their scales, dimensions, names.
 
-import type { ArrowKind } from "../scene/data.ts";
 import { keyOf, kindNames } from "./arrow_keys.ts";
 import { ARROW_KINDS } from "./arrows.ts";
 import { check } from "./check.ts";
