@@ -2,7 +2,7 @@
 
 import type { Point } from "../scene/data.ts";
 import { type Bar, barsOf, type Turned, turnedOf } from "./bars.ts";
-import { type Placed, textBox } from "./crowding.ts";
+import { type Placed, textBox, widthOf } from "./crowding.ts";
 import { shown, svg } from "./elements.ts";
 import { place, poseOf } from "./poses.ts";
 import type { Spot } from "./pins.ts";
@@ -24,7 +24,7 @@ export interface Dimensions {
 export function dimensionLines(facts: Facts, original: Facts | null, view: View, parent: Element): Dimensions {
   const line = () => svg("path", { class: "lw-dimension" }, parent);
   const text = () => svg("text", { class: "lw-measure", "text-anchor": "middle", dy: "0.35em" }, parent);
-  const part = () => ({ line: line(), placed: { text: text(), box: null } as Placed });
+  const part = () => ({ line: line(), placed: { text: text(), boxes: [] } as Placed });
   const angles = turnedOf(facts).map((turned, i) => ({ turned, before: original && turnedOf(original)[i], ...part() }));
   const old = original && barsOf(original);
   const bars = barsOf(facts).map((bar, i) => ({ bar, before: old?.[i], ...part() }));
@@ -57,14 +57,14 @@ interface Line {
 
 function write(line: SVGPathElement, placed: Placed, there: Line | null, text: string): void {
   shown(line, there !== null);
-  placed.box = null;
+  placed.boxes = [];
   if (!there) return;
   line.setAttribute("d", there.d);
   const [x, y] = there.middle;
   placed.text.textContent = text;
   placed.text.setAttribute("x", String(round(x)));
   placed.text.setAttribute("y", String(round(y)));
-  placed.box = textBox(text, x, y);
+  placed.boxes = [textBox(widthOf(text), x, y)];
 }
 
 /** A line beside a bar on the screen, on its left, with a stroke across each end. */

@@ -2,7 +2,7 @@
 
 import type { LinkData, Point } from "../scene/data.ts";
 import { clamp } from "../scene/numbers.ts";
-import { type Placed, textBox } from "./crowding.ts";
+import { measured, type Placed, textBox } from "./crowding.ts";
 import { svg } from "./elements.ts";
 import { hull, mean, widestGap } from "./geometry.ts";
 import { BLOCK, onGuide } from "./guides.ts";
@@ -17,6 +17,7 @@ interface Label extends Placed {
   readonly at: Spot;
   /** Half the text's width, near enough; 0 where it may leave the drawing. */
   readonly half: number;
+  readonly width: number;
   readonly anchor: "start" | "middle" | "end";
   readonly offset: (pose: Pose) => Point;
 }
@@ -39,14 +40,16 @@ export function labels(facts: Facts, view: View, r: number, parent: Element): La
     for (const label of [...pins, ...links]) {
       const { text, at, half, anchor, offset } = label;
       const pose = poseOf(at.link, facts.times, sample, f);
-      label.box = null;
+      label.boxes = [];
       if (!pose) continue;
       const [x, y] = view.toScreen(place(pose, at.local));
       const [dx, dy] = offset(pose);
-      const inside = half ? clamp(x + dx, half + 4, view.width - half - 4) : x + dx;
+      const into = (at: number): number => (half ? clamp(at, half + 4, view.width - half - 4) : at);
+      const inside = into(x + dx);
       text.setAttribute("x", String(round(inside)));
       text.setAttribute("y", String(round(y + dy)));
-      label.box = textBox(text.textContent ?? "", inside, y + dy, anchor);
+      const box = textBox(label.width, inside, y + dy, anchor);
+      label.boxes = half && (dx || dy) ? [box, { ...box, x: into(x - dx), y: y - dy }] : [box];
     }
   };
   return { move, pins, links };
@@ -58,7 +61,8 @@ function pinLabel(pin: Pin, facts: Facts, r: number, parent: Element): Label {
   const anchor = dx > 0.3 ? "start" : dx < -0.3 ? "end" : "middle";
   const text = svg("text", { class: "lw-label", "text-anchor": anchor, dy: "0.35em" }, parent);
   text.textContent = pin.name;
-  return { text, box: null, at: pin.places[0], half: 0, anchor, offset: () => [dx * (r + 7), dy * (r + 9)] };
+  const offset = (): Point => [dx * (r + 7), dy * (r + 9)];
+  return { text, boxes: [], at: pin.places[0], half: 0, width: measured(text), anchor, offset };
 }
 
 /** The direction (one of eight, screen radians) in which a pin's label meets its links least. */
@@ -114,7 +118,7 @@ function linkLabel(link: LinkData, facts: Facts, r: number, parent: Element): La
     const across = Math.atan2(pose.s, pose.c) + along - Math.PI / 2;
     return [Math.cos(across) * (away + half), -Math.sin(across) * (away + 7)];
   };
-  return { text, box: null, at: { link, local: middle }, half, anchor: "middle", offset };
+  return { text, boxes: [], at: { link, local: middle }, half, width: measured(text), anchor: "middle", offset };
 }
 
 /** The class of a slanted name: Latin names are slanted, hanzi have no slanted form. */
