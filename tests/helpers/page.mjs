@@ -16,7 +16,7 @@ function mechanismOf({ code, data }) {
 function dragged(command) {
   const mechanism = mechanismOf(command);
   return command.drags.map(({ free, time, point, target, freedom }) => {
-    const found = drag(mechanism, free, time, point, target, freedom);
+    const found = drag(mechanism, free, time, point, target, { times: [time, time], ...freedom });
     return { ...found, free: [...found.free] };
   });
 }

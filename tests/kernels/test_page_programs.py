@@ -162,6 +162,42 @@ def test_drags(path: Path) -> None:
         assert one["reached"] == (off <= 1e-8 * size * (1 + 1e-9)) or abs(off - 1e-8 * size) < 1e-12 * size
 
 
+@needs_node
+def test_the_time_moves_where_no_number_can() -> None:
+    """The pin of a crank goes to any place: by the crank's length along it, by the time across it."""
+    compiled = compile_mechanism(load(ROOT / "examples/paper_feeder.yaml"))
+    made, size = page_programs(compiled, compiled.graph.pose_rows), compiled.assembly.size()
+    held = [name != "AB" for name in made.derived.inputs]
+    (x, y), time = compiled.evaluate(["B.x", "B.y"], np.array([0.4]))[:, 0], 0.4
+    drags = [
+        {
+            "free": made.values,
+            "time": time,
+            "point": made.points.index("B"),
+            "target": [x + 0.05, y - 0.04],
+            "freedom": freedom(made, held=held, times=times),
+        }
+        for times in ([time, time], [0.0, 1.5], [time - 0.01, time + 0.01])
+    ]
+    still, moved, short = page_drags(made, drags)
+    assert (still["time"], still["reached"], moved["reached"], short["reached"]) == (time, False, True, False)
+    assert abs(short["time"] - time) == pytest.approx(0.01)
+    length, angle = np.hypot(x + 0.05, y - 0.04), np.arctan2(y - 0.04, x + 0.05)
+    assert moved["free"][made.derived.inputs.index("AB")] == pytest.approx(length, abs=1e-8 * size)
+    turned = (angle - np.arctan2(y, x)) / compiled.evaluate(["motor.omega"], np.zeros(1))[0, 0]
+    assert moved["time"] - time == pytest.approx(turned, abs=1e-7)
+
+
+def test_which_numbers_shape_a_link() -> None:
+    compiled = compile_mechanism(load(ROOT / "examples/quick_return.yaml"))
+    data = page_programs(compiled, []).data()
+    shaped = {link: [data["free"][i] for i in of] for link, of in data["shaping"].items()}
+    points = {link: {*map(str, entry.points)} for link, entry in compiled.mechanism.links.items()}
+    assert shaped.keys() == points.keys()
+    assert "r" in shaped["crank"]
+    assert all(set(names) <= set(data["free"]) for names in shaped.values())
+
+
 @pytest.mark.parametrize("name", ["chinese_names", "geneva", "jansen_leg", "paper_feeder_dwell", "quick_return"])
 def test_derived_parameters(name: str) -> None:
     compiled = compile_mechanism(load(ROOT / f"examples/{name}.yaml"), ROOT / "examples")

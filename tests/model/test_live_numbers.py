@@ -81,9 +81,10 @@ def test_tolerances_are_limits() -> None:
     data["links"]["frame"]["points"]["D"] = ["d", 0]
     data["links"]["coupler"]["mass"] = "m"
     rows = rows_of(data)
-    found = {name: (rows[name]["low"], rows[name]["high"]) for name in parameters}
-    assert found["a"] == (0.75, 1.25)
-    assert found["b"] == (2.5, 3.75)
-    assert found["c"] == (pytest.approx(2.998), pytest.approx(3.002))
-    assert found["d"] == (3.5, 4.5)
-    assert found["m"] == (0.0, 5.0)
+    found = {name: rows[name]["tolerance"] for name in parameters}
+    assert found["a"] == [0.75, 1.25]
+    assert found["b"] == [2.5, 3.75]
+    assert found["c"] == [pytest.approx(2.998), pytest.approx(3.002)]
+    assert found["d"] == [3.5, 4.5]
+    assert found["m"] == [-1.0, 5.0]
+    assert (rows["a"]["low"], rows["a"]["high"]) == (0.5, 1.5)

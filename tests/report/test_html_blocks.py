@@ -104,6 +104,39 @@ def test_a_card_has_lines_for_the_file_or_says_that_there_are_none() -> None:
     assert "<pre>assembly:\n  B: left of A-C</pre>" in text and "<pre>unknown</pre>" in text
 
 
+def test_what_verifies_is_one_line_until_it_is_opened() -> None:
+    """Where a check fails it is open; a section that is nothing else has this line as its heading."""
+    good, bad = Check("closure", "1e-16", "", ok=True), Check("power", "1e-3", "", ok=False)
+    text = section(Section("certificate", [Checks([good, good])]))
+    assert text.startswith('<section id="certificate"><details><summary><h2><span class="mark ok">')
+    assert "Verification: 2 of 2 checks passed</span></h2></summary><table" in text
+    assert text.count("Verification") == 1
+    assert "<details open><summary><h2>" in section(Section("certificate", [Checks([good, bad])]))
+    mixed = section(Section("certificate", [Sentences(["One."]), Checks([good])]))
+    assert mixed.count("<h2>") == 1 and "<summary><span>" in mixed
+
+
+def measure(at: str = "", requirement: str | None = None, verdict: bool | None = None) -> Measure:
+    return Measure("stroke", "span of E.x", [MeasureValue(value=1.0, at=at)], "mm", requirement, verdict)
+
+
+@pytest.mark.parametrize(
+    ("measures", "heads"),
+    [
+        ([measure()], ["Measure", "Value"]),
+        ([measure("t = 1 s"), measure()], ["Measure", "Value", "Where"]),
+        ([measure(), measure("", ">= 1 mm", True)], ["Measure", "Value", "Requirement", "Result"]),
+        ([measure("", ">= 1 mm")], ["Measure", "Value", "Requirement"]),
+        ([measure("t = 1 s", ">= 1 mm", False)], ["Measure", "Value", "Where", "Requirement", "Result"]),
+    ],
+)
+def test_measures_have_no_empty_columns(measures: list[Measure], heads: list[str]) -> None:
+    text = html(Measures(measures))
+    assert re.findall(r'<th scope="col">(.*?)</th>', text) == heads
+    assert re.findall(r'data-head="(.*?)"', text) == heads * len(measures)
+    assert all(len(re.findall("<td", row)) == len(heads) for row in text.split("<tr>")[2:])
+
+
 def test_measures_read_without_colour() -> None:
     values = [MeasureValue("min", -41.23456, grade="sampled"), MeasureValue("max", None, grade="sampled")]
     text = html(Measures([Measure("force", "", values, "N*m", "<= 90 N", False), Measure("x", "", [], "", None, None)]))

@@ -15,7 +15,7 @@ import pytest
 from helpers.accuracies import outcome
 from helpers.browsers import chromium
 from helpers.workspaces import five_bar, performed
-from linkwright.presentation.blocks import Chart, Charts, Copied, Measures, Section, Table
+from linkwright.presentation.blocks import Chart, Charts, Check, Checks, Copied, Measures, Section, Table
 from linkwright.report import ReportData, Scene, page
 from linkwright.report.build import report_data
 from linkwright.studies.accuracy.report import report as accuracy_report
@@ -299,6 +299,28 @@ def test_centrodes_are_switched_on_and_roll(show: Any, report: ReportData, feede
     assert abs(complex(x, -y) - dot) < 0.7
     assert view.page.locator("#still .lw-centrode").count() == 0
     assert view.complaints == []
+
+
+@pytest.mark.parametrize("by", ["the contents", "the header", "the address"])
+def test_a_link_to_a_folded_part_opens_it(show: Any, report: ReportData, by: str) -> None:
+    report["sections"] = [
+        *report["sections"][:1],
+        Section("certificate", [Checks([Check("closure", "3.1e-16", "Closed.", ok=True)])]),
+    ]
+    view = show(report)
+    table = view.page.locator("table.certificate")
+    assert not table.is_visible()
+    if by == "the address":
+        view.page.goto(f"{view.page.url}#certificate")
+        view.page.reload()
+    else:
+        part = "nav:not(.languages)" if by == "the contents" else ".summary"
+        view.page.locator(f"{part} a[href='#certificate']").click()
+    assert table.is_visible()
+    view.page.locator("#certificate summary").click()
+    assert not table.is_visible()
+    view.page.emulate_media(media="print")
+    assert table.is_visible()
 
 
 def test_prints_with_still_drawing_and_all_plots(show: Any, report: ReportData, tmp_path: Path) -> None:

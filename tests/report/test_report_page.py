@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from linkwright.presentation.blocks import Checks, Measures, Section
+from linkwright.presentation.blocks import Checks, Measures, Section, Sentences
 from linkwright.presentation.payload import script_json
 from linkwright.report import ReportData, compact, page
 from linkwright.report.page import SCRIPT_WORDS
@@ -110,16 +110,19 @@ def said(monkeypatch: pytest.MonkeyPatch) -> Callable[[str], None]:
 
 def test_hostile_names_are_text_everywhere(report: ReportData, said: Callable[[str], None]) -> None:
     clean = [tag for tag, _ in Page(page(report)).tags]
-    for key in ("title", "subtitle", "source", "origin", "version", "model_text"):
+    for key in ("title", "subtitle", "source", "version", "model_text"):
         report[key] = HOSTILE
     said(HOSTILE)
     report["sections"] = [hostile(section) for section in report["sections"]]
-    for fact in report["structure"]:
+    for fact in (*report["structure"], *report["title_block"]):
         fact.update(name=HOSTILE, sentence=HOSTILE)
     for plot in report["plots"]:
         plot.update(title=HOSTILE, unit=HOSTILE)
         plot["series"][0]["name"] = HOSTILE
-    report["scene"]["links"][1]["name"] = HOSTILE
+    crank = report["scene"]["links"][1]
+    for joint in report["scene"]["joints"]:
+        joint["links"] = [HOSTILE if link == crank["name"] else link for link in joint["links"]]
+    crank["name"] = HOSTILE
     parsed = Page(page(report))
     assert [tag for tag, _ in parsed.tags] == clean
     assert parsed.text["h1"] == HOSTILE
@@ -131,6 +134,16 @@ def test_verdicts_read_without_colour(report: ReportData) -> None:
     assert "✓</span> passed" in html
     assert "✗</span> failed" in html
     assert "Requirements: 1 of 2 passed" in html
+
+
+def test_results_come_before_what_verifies_them(report: ReportData) -> None:
+    """Whatever the order of the studies, on the page as in its contents; the line in the header leads there."""
+    report["sections"] = [*reversed(report["sections"]), Section("limits", [Sentences(["One."])])]
+    html = page(report)
+    order = ["measures", "limits", "motion", "force", "certificate", "structure", "model"]
+    assert re.findall(r'<section id="(\w+)"', html) == ["mechanism", *order]
+    assert re.findall(r'<a href="#(\w+)">', html.split("<nav aria")[1].split("</nav>")[0]) == ["mechanism", *order]
+    assert '<a href="#certificate"><span class="mark bad">' in html.split("<nav aria")[0]
 
 
 def test_failures_make_a_banner(report: ReportData) -> None:
@@ -155,10 +168,13 @@ def test_empty_parts_leave_no_headings(report: ReportData) -> None:
 
 def test_every_word_comes_from_the_catalogue(report: ReportData, said: Callable[[str], None]) -> None:
     """With every word marked, no letter outside the marks is left but those of the data."""
-    report.update(title="1", subtitle="2", source="6", version="3", model_text="4", origin="5", plots=[], structure=[])
+    report.update(
+        title="1", subtitle="2", source="6", version="3", model_text="4", title_block=[], plots=[], structure=[]
+    )
     report.update(sections=[], notes=[], failures=[])
     said("#")
     body = page(report).split("<body>")[1].split("<script")[0]
+    body = re.sub("<text[^>]*>.*?</text>", "", body)  # names of points and links
     assert re.findall(r"[A-Za-z]+", re.sub(r"<[^>]*>", "", body)) == []
 
 

@@ -66,6 +66,8 @@ _WORDS = {
     "counterweights": "配重 平衡重",
     "windows": "时间窗 窗口 区间",
     "source": "来源 出处",
+    "author": "designer drawn_by creator 作者 设计者 编制",
+    "revision": "rev issue 版次 修订",
     "pin_in_slot": "销槽副 滑槽 槽",
     "cam": "凸轮副 凸轮",
     "along": "沿 方向",

@@ -109,6 +109,21 @@ def shape_program(compiled: Compiled) -> Program:
     return _program(compiled, ca.SX(0, 1), p, rows, ())
 
 
+def shaping(compiled: Compiled, derived: Program, shape: Program) -> dict[str, list[int]]:
+    """Of each link, which free parameters (by their numbers) its points depend on."""
+    x = ca.SX.sym("x", len(derived.inputs))
+    p = derived.block.function(x, ca.SX(0, 1))
+    rows = ca.SX(shape.block.function(ca.SX(0, 1), p))
+    sparsity = ca.jacobian(rows, x).sparsity()
+    depends = list(zip(*sparsity.get_triplet(), strict=True)) if len(derived.inputs) else []
+    found, first = dict[str, list[int]](), 0
+    for link, entry in compiled.mechanism.links.items():
+        last = first + 2 * len(entry.points)
+        found[link] = sorted({i for row, i in depends if first <= row < last})
+        first = last
+    return found
+
+
 def numbers_looked_at(quantities: Quantities) -> tuple[list[Any], list[Any], list[Any]]:
     """What depends on parameters and must be positive, what must not be negative, and what must be finite: expressions
     with their dimensions."""

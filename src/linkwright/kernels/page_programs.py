@@ -31,6 +31,7 @@ from linkwright.kernels.page_inputs import (
     numbers_looked_at,
     ratio_program,
     shape_program,
+    shaping,
     table_pieces,
 )
 
@@ -165,6 +166,7 @@ class PagePrograms:
             "outputs": len(self.rows),
             "measured": len(self.measured),
             "shape": len(self.programs["shape"][0].outputs),
+            "shaping": shaping(compiled, self.derived, self.programs["shape"][0]),
             "points": list(self.points),
             "links": list(compiled.structure.topology.moving),
             "looked_at": [len(kind) for kind in numbers_looked_at(compiled.quantities)],

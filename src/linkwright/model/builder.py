@@ -33,10 +33,13 @@ class Builder:
         pressure: str | None = None,
         note: str | None = None,
         source: str | None = None,
+        author: str | None = None,
+        revision: str | None = None,
     ) -> None:
         units = {"length": length, "angle": angle, "mass": mass, "time": time, "force": force, "torque": torque}
+        head = {"name": name, "note": note, "source": source, "author": author, "revision": revision}
         self._data: dict[str, Any] = _without_none(
-            linkwright=VERSION, name=name, note=note, source=source, units=_without_none(**units, pressure=pressure)
+            linkwright=VERSION, **head, units=_without_none(**units, pressure=pressure)
         )
         self._twice: list[Finding] = []
 

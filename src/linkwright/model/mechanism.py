@@ -196,6 +196,8 @@ class Mechanism(Frozen):
     name: Text = "mechanism"
     note: LongText | None = None
     source: LongText | None = None
+    author: Text | None = None
+    revision: Text | None = None
     units: Units = Units()
     gravity: Gravity | None = None
     parameters: Annotated[dict[Name, Parameter], _bound, freeze] = Field(default_factory=FrozenDict)

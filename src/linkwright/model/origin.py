@@ -49,6 +49,11 @@ class Origin:
         """The hash as it is shown to people."""
         return self.sha256[:DIGITS]
 
+    @property
+    def minute(self) -> str:
+        """The date and time as they are shown to people: to the minute, with the zone."""
+        return f"{self.date[:10]} {self.date[11:16]} {self.date[19:]}".strip()
+
     def as_dict(self) -> dict[str, Any]:
         """Plain data for the summary."""
         return {"model": {"file": self.file, "sha256": self.sha256}, "date": self.date}

@@ -25,7 +25,7 @@ _INT = re.compile(r"[-+]?[0-9]{1,15}")
 _DECIMALS = re.compile(r"[0-9]{1,9}(\s*[^\W\d]\S{0,20})?")
 _FLOAT = re.compile(r"[-+]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]+)?")
 _ROUND = re.compile(r"\([^()]*\)")
-_FREE = (("name",), ("note",), ("source",))
+_FREE = (("name",), ("note",), ("source",), ("author",), ("revision",))
 """The keys of free texts."""
 _CONSTANTS = {"": None, "~": None, "null": None, "true": True, "false": False}
 _NOT_NUMBERS = {".nan": math.nan, ".inf": math.inf, "+.inf": math.inf, "-.inf": -math.inf}

@@ -22,6 +22,8 @@ _ATTRIBUTE = re.compile(r'([\w:-]+)="([^"]*)"')
 
 _ALONE = {"area", "br", "col", "hr", "img", "input", "link", "meta", "wbr"}
 """Elements without an end tag."""
+UNSEEN = "noscript"
+"""What is in it isn't on a page whose script translates it."""
 
 Pairs = list[tuple[str, str]]
 Replaced = Mapping[str, str | Sequence[str | None]]
@@ -87,7 +89,7 @@ class Differences:
             one = other  # from here on, this is what stands there
         for k, pair in enumerate(zip(one.texts, other.texts, strict=True)):
             self.texts.append(pair)
-            if k < len(one.elements):
+            if k < len(one.elements) and one.elements[k].name != UNSEEN:
                 self._compare(one.elements[k], other.elements[k])
 
 

@@ -22,6 +22,7 @@ from linkwright.report.arrows import arrow_data, arrows, force_name
 from linkwright.report.cam_shapes import cam_shapes
 from linkwright.report.centrodes import centrodes
 from linkwright.report.data import (
+    Fact,
     Failure,
     JointData,
     LinkData,
@@ -82,7 +83,7 @@ def report_data(
         "title": document.title,
         "subtitle": without_hanzi_spaces(document.note or ""),
         "source": Said("report.source", source=without_hanzi_spaces(document.source)) if document.source else "",
-        "origin": origin_text(origin),
+        "title_block": title_block(document, origin),
         "version": origin.version,
         "time": axis(result),
         "scene": picture,
@@ -99,10 +100,17 @@ def report_data(
     return data
 
 
-def origin_text(origin: Origin) -> Text:
-    """Where the results come from, in a sentence."""
-    data = {"sha256": origin.short, "date": origin.date, "version": origin.version}
-    return Said("report.origin", file=origin.file, **data) if origin.file else Said("report.origin.python", **data)
+def title_block(document: Document, origin: Origin) -> list[Fact]:
+    """Where the results come from, and what the file says of itself."""
+    entries: dict[str, Text | None] = {
+        "file": origin.file or Said("report.title_block.python"),
+        "sha256": origin.short,
+        "date": origin.minute,
+        "author": document.author,
+        "revision": document.revision,
+        "version": origin.version,
+    }
+    return [{"name": Said(f"report.title_block.{key}"), "sentence": text} for key, text in entries.items() if text]
 
 
 def axis(result: Result) -> Time:

@@ -156,7 +156,7 @@ class Plot(TypedDict):
 
 
 class Fact(TypedDict):
-    """One line about the structure."""
+    """One line about the structure, or of the title block."""
 
     name: Text
     sentence: Text
@@ -175,8 +175,8 @@ class LiveNumber(TypedDict):
 
     ``label`` is its place in short; ``value`` and the bounds ``low`` and ``high``, those of its ``tolerance``, and
     ``scale``, by which changes of numbers are compared, are in SI; ``size`` is the SI value of its ``unit``. A
-    ``named`` one is a parameter. ``locked`` says why it can't be moved. ``line`` (from 1), ``start`` and ``end`` are
-    where its digits stand in the file.
+    ``named`` one is a parameter. ``locked`` says why it can't be moved. Its digits stand in columns ``start``
+    to ``end`` of a ``line`` of the data.
     """
 
     name: str
@@ -200,10 +200,12 @@ class LiveData(TypedDict):
 
     ``code``: the programs as JavaScript. ``program``: what joins them. ``length`` and ``second``: SI sizes of the
     report's units. ``poses``: the links whose poses come first among the programs' outputs, four rows each;
-    ``signals``: the names of the rows behind them, with the ``sizes`` of their units; ``wrapped`` are the numbers of
+    ``signals``: the names of the rows behind them, then ``arrow_rows``: the labels of others that arrows name, all with
+    the ``sizes`` of their units; ``wrapped`` are the numbers of
     those that are angles without whole turns. ``probes``: a value of each row, which the page must find too, but for
-    round-off of its ``scales``. ``measures``: what is taken of the samples.
-    ``numbers``: what can be moved, and the ``lines`` of the file where it stands, by their number. ``drives`` and
+    round-off of its ``scales``. ``measures``: what is taken of the samples. With ``power`` the last two rows are what
+    the powers of a pose leave, and their size (W).
+    ``numbers``: what can be moved, and the ``lines`` of the file where it stands. ``drives`` and
     ``parameters`` by their number.
     """
 
@@ -214,26 +216,28 @@ class LiveData(TypedDict):
     second: float
     poses: Sequence[str]
     signals: Sequence[str]
+    arrow_rows: Sequence[str]
     sizes: Sequence[float]
     wrapped: Sequence[int]
     probes: Values
     scales: Sequence[float]
     measures: Sequence[Mapping[str, object]]
+    power: bool
     numbers: Sequence[LiveNumber]
-    lines: Mapping[str, str]
+    lines: Sequence[str]
     drives: Sequence[str]
     parameters: Sequence[str]
 
 
 class ReportData(TypedDict):
-    """Everything on the page. Sentences: ``source``, what the mechanism is taken from; ``origin``, model file, hash,
-    date and version. ``sections``: what the studies show. With ``live`` the page computes the values of scene and plots
-    itself."""
+    """Everything on the page. Sentences: ``source``, what the mechanism is taken from; ``title_block``: model
+    file, hash, date, author, revision and version. ``sections``: what the studies show. With ``live`` the page computes
+    the values of scene and plots itself."""
 
     title: str
     subtitle: str
     source: Text
-    origin: Text
+    title_block: Sequence[Fact]
     version: str
     time: Time
     scene: Scene

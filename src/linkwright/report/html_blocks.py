@@ -30,10 +30,17 @@ from linkwright.words import say
 WIDE = 7
 """Tables of more columns are set narrower, their units below the figures where need be."""
 
+NOTHING = "–"
+"""Stands where a cell has nothing; a column of measures in which all cells have nothing is left out."""
+
 
 def section(shown: Section) -> str:
-    """A section under its heading; nothing where there is nothing in it."""
-    body = "".join(html(block) for block in shown.blocks if filled(block))
+    """A section under its heading; nothing where there is nothing in it. Of one that only verifies, the line that is
+    left when it is folded is the heading."""
+    blocks = [block for block in shown.blocks if filled(block)]
+    if len(blocks) == 1 and isinstance(blocks[0], Checks):
+        return f'<section id="{shown.name}">{_folded(blocks[0], "h2")}</section>'
+    body = "".join(map(html, blocks))
     return body and f'<section id="{shown.name}"><h2>{markup(shown.title)}</h2>{body}</section>'
 
 
@@ -89,8 +96,11 @@ def _card(card: Card, section: str) -> str:
 
 @html.register
 def _(block: Measures) -> str:
-    heads = (markup(say(f"report.{head}")) for head in ("measure", "value", "where", "requirement", "verdict"))
-    return table("measures", heads, map(_measure, block.measures))
+    heads = ("measure", "value", "where", "requirement", "verdict")
+    columns = [*zip(*map(_measure, block.measures), strict=True)]
+    shown = [i for i, cells in enumerate(columns) if i < 2 or {*cells} != {NOTHING}]
+    rows = zip(*(columns[i] for i in shown), strict=True)
+    return table("measures", (markup(say(f"report.{heads[i]}")) for i in shown), rows)
 
 
 def _measure(measure: Measure) -> Sequence[str]:
@@ -101,26 +111,33 @@ def _measure(measure: Measure) -> Sequence[str]:
         for entry in measure.values
     )
     places = any(str(entry.at) for entry in measure.values)
-    where = "".join(f'<span class="line where">{prose(entry.at)}</span>' for entry in measure.values) if places else "–"
+    where = (
+        "".join(f'<span class="line where">{prose(entry.at)}</span>' for entry in measure.values) if places else NOTHING
+    )
     text = f'<span class="note">{prose(measure.text)}</span>'
     for grade in dict.fromkeys(str(entry.grade) for entry in measure.values):
         text += f'<span class="note grade">{prose(grade)}</span>'
-    judged = "–"
+    judged = NOTHING
     if measure.verdict is not None:
         judged = mark(measure.verdict, say("report.pass" if measure.verdict else "report.fail"))
-    requirement = f'<span class="line">{markup(measure.requirement)}</span>' if measure.requirement else "–"
+    requirement = f'<span class="line">{markup(measure.requirement)}</span>' if measure.requirement else NOTHING
     return (f"<b>{markup(measure.name)}</b>{text}", values, where, requirement, judged)
 
 
 @html.register
 def _(block: Checks) -> str:
+    return _folded(block)
+
+
+def _folded(block: Checks, heading: str = "span") -> str:
+    """The checks behind a line with their result; open where one fails."""
     heads = (markup(say(f"report.{head}")) for head in ("check", "figure", "meaning", "verdict"))
     total, passed = len(block.checks), len(block.checks) - len(block.failed)
     line = mark(passed == total, say("report.summary_checks", ok=passed, total=total))
     after = "".join(f'<p class="note">{prose(remark)}</p>' for remark in block.remarks)
     opened = " open" if passed < total else ""
     return (
-        f"<details{opened}><summary>{line}</summary>"
+        f"<details{opened}><summary><{heading}>{line}</{heading}></summary>"
         f"{table('certificate', heads, map(_check, block.checks))}{after}</details>"
     )
 
@@ -152,7 +169,7 @@ def mark(ok: bool, text: str) -> str:
 
 
 def _number(value: float | None) -> str:
-    return "–" if value is None else f"{value:.6g}".replace("-", "−")
+    return NOTHING if value is None else f"{value:.6g}".replace("-", "−")
 
 
 def _cell(cell: Cell, wide: bool) -> str:

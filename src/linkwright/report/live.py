@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.compilation import compile_mechanism
-from linkwright.expressions.units import ANGLE, LENGTH, TIME, Dimension
+from linkwright.expressions.units import ANGLE, LENGTH, TIME
 from linkwright.findings import ModelError
-from linkwright.graph.rows import Named
+from linkwright.graph.power_rows import PowerRow
 from linkwright.kernels.page_programs import PagePrograms, page_programs
 from linkwright.measures import live_measures, live_rows
 from linkwright.model.document import Document
@@ -53,15 +53,20 @@ def live_data(
         return None
     names = dict.fromkeys(f"{trace['name']}.{axis}" for trace in scene["traces"] for axis in "xy")
     names |= dict.fromkeys(series["name"] for plot in plots for series in plot["series"])
-    dimensions: dict[Named, Dimension] = {name: result.dimension(name) for name in names}
-    dimensions = arrow_rows(arrows) | dimensions
-    signals, quantities = [*dimensions], recorded.quantities
+    pointed = arrow_rows(arrows)
+    names |= dict.fromkeys(row for row in pointed if isinstance(row, str))
+    signals, quantities = [*names], recorded.quantities
+    others = [row for row in pointed if not isinstance(row, str)]
+    dimensions = [*map(result.dimension, signals), *(pointed[row] for row in others)]
     measures = live_measures(compiled)
     measured = live_rows(measures)
-    made = page_programs(compiled, [*compiled.graph.pose_rows, *signals], measured)
-    values = [*recorded.evaluate(recorded.graph.pose_rows, result.t), *_values(result, signals)]
-    lines = text.splitlines()
-    numbers = _numbers(made, named, text)
+    weighs = any(compiled.mechanism.has_mass(link) for link in compiled.mechanism.links)
+    power = weighs or any(one.kind.acts for one in compiled.mechanism.acting())
+    balance = [PowerRow(), PowerRow(size=True)] if power else []
+    made = page_programs(compiled, [*compiled.graph.pose_rows, *signals, *others, *balance], measured)
+    values = [*recorded.evaluate(recorded.graph.pose_rows, result.t), *(result[name] for name in signals)]
+    values += [*recorded.evaluate(others, result.t)] if others else []
+    numbers, lines = _numbers(made, named, text)
     return {
         "code": made.code(),
         "program": made.data(),
@@ -69,24 +74,19 @@ def live_data(
         "length": quantities.unit_of(LENGTH)[1],
         "second": quantities.unit_of(TIME)[1],
         "poses": list(compiled.structure.topology.moving),
-        "signals": recorded.graph.labels(signals),
-        "sizes": [quantities.unit_of(dimension)[1] for dimension in dimensions.values()],
-        "wrapped": [i for i, name in enumerate(signals) if isinstance(name, str) and recorded.graph.wrapped(name)],
+        "signals": signals,
+        "arrow_rows": recorded.graph.labels(others),
+        "sizes": [quantities.unit_of(dimension)[1] for dimension in dimensions],
+        "wrapped": [i for i, name in enumerate(signals) if recorded.graph.wrapped(name)],
         "probes": [known(float(row[i * PROBE % result.t.size])) for i, row in enumerate(values)],
-        "scales": _scales(values, [*("pose" for _ in compiled.graph.pose_rows), *dimensions.values()]),
+        "scales": _scales(values, [*("pose" for _ in compiled.graph.pose_rows), *dimensions]),
+        "power": power,
         "measures": [one.data({row: i for i, row in enumerate(measured)}) for one in measures],
         "numbers": numbers,
-        "lines": {str(one["line"]): lines[one["line"] - 1] for one in numbers if one["line"]},
+        "lines": lines,
         "drives": list(compiled.graph.drives),
         "parameters": list(compiled.graph.parameters),
     }
-
-
-def _values(result: Result, rows: Sequence[Named]) -> list[Array]:
-    """The values (SI) of signals, whose angles are continuous, and of other rows."""
-    others = [row for row in rows if not isinstance(row, str)]
-    found = dict(zip(others, result.run.compiled.evaluate(others, result.t), strict=True)) if others else {}
-    return [result[row] if isinstance(row, str) else found[row] for row in rows]
 
 
 def _scales(rows: Sequence[Array], kinds: Sequence[object]) -> list[float]:
@@ -98,9 +98,10 @@ def _scales(rows: Sequence[Array], kinds: Sequence[object]) -> list[float]:
     return [max(most, 1e-6 * of_kind[kind]) for kind, most in zip(kinds, largest, strict=True)]
 
 
-def _numbers(made: PagePrograms, named: NamedNumbers, text: str) -> list[LiveNumber]:
-    """The numbers that stand in the text and are free."""
+def _numbers(made: PagePrograms, named: NamedNumbers, text: str) -> tuple[list[LiveNumber], list[str]]:
+    """The numbers that stand in the text and are free; the lines in which they do."""
     found: list[LiveNumber] = []
+    lines, whole = dict[int, int](), text.splitlines()
     free, stated = {*made.derived.inputs}, made.compiled.mechanism.parameters
     scales = {LENGTH: made.compiled.assembly.size(), ANGLE: 1.0}
     for one in live_numbers(named, text):
@@ -122,12 +123,12 @@ def _numbers(made: PagePrograms, named: NamedNumbers, text: str) -> list[LiveNum
                 "size": one["size"],
                 "named": name not in named.numbers and name in stated,
                 "locked": "" if why is None else why.said("what"),
-                "line": one["line"],
+                "line": lines.setdefault(one["line"], len(lines)),
                 "start": one["start"],
                 "end": one["end"],
             }
         )
-    return found
+    return found, [whole[line - 1] for line in lines]
 
 
 def without_values(scene: Scene) -> dict[str, object]:

@@ -17,6 +17,7 @@ from linkwright.words import say
 
 LIVE_WORDS = (
     "back",
+    "balances",
     "changed",
     "closes",
     "copy",
@@ -37,6 +38,7 @@ LIVE_WORDS = (
     "reset_one",
     "sampled",
     "shape",
+    "undo",
     "unsound",
     "within_tolerances",
 )
@@ -101,6 +103,7 @@ def page(data: ReportData) -> str:
         scripts=scripts,
         words=partial(_words, data),
         before=_built("uplot.min.css") + "\n",
+        style="\n" + asset(__package__, "mechanism.css"),
     )
 
 
@@ -114,8 +117,9 @@ def _body(data: ReportData) -> str:
             sections.stage(data),
             '<div class="results">',
             sections.dimensions(data),
-            *map(section, data["sections"]),
+            *map(section, sections.results(data)),
             sections.plots(data),
+            *map(section, sections.verification(data)),
             sections.structure(data),
             sections.model(data),
             "</div>",

@@ -6,9 +6,10 @@ from collections.abc import Sequence
 
 from linkwright.escape import markup
 from linkwright.findings import Text
-from linkwright.presentation.blocks import Check, Checks, Measure, Measures
+from linkwright.presentation.blocks import Check, Checks, Measure, Measures, Section
 from linkwright.report.data import Failure, Plot, ReportData
 from linkwright.report.html_blocks import mark
+from linkwright.report.mechanism_drawing import drawing
 from linkwright.report.prose import prose
 from linkwright.words import say
 
@@ -27,14 +28,38 @@ def header(data: ReportData) -> str:
         badges.append(f'<span id="requirements">{mark(all(required), text)}</span>')
     if checks:
         text = say("report.summary_checks", ok=sum(checks), total=len(checks))
-        badges.append(mark(all(checks), text))
+        (place,) = [part.name for part in verification(data)][:1]
+        badges.append(f'<a href="#{place}">{mark(all(checks), text)}</a>')
     subtitle = f'<p class="subtitle">{prose(data["subtitle"])}</p>' if data["subtitle"] else ""
     source = f'<p class="source">{prose(data["source"])}</p>' if data["source"] else ""
     return (
         f"<header><h1>{markup(data['title'])}</h1>{subtitle}{source}"
-        f'<p class="origin">{markup(data["origin"])}</p>'
+        f"{_title_block(data)}"
         f'<p class="summary" id="state">{" ".join(badges)}</p>{_contents(data)}</header>'
     )
+
+
+def _title_block(data: ReportData) -> str:
+    """Where the results come from, in pairs."""
+    pairs = "".join(
+        f"<div><dt>{markup(entry['name'])}</dt><dd>{markup(entry['sentence'])}</dd></div>"
+        for entry in data["title_block"]
+    )
+    return f'<dl class="title-block" aria-label="{markup(say("report.title_block"))}">{pairs}</dl>'
+
+
+def results(data: ReportData) -> list[Section]:
+    """What the studies show but for what verifies it; these come first on the page."""
+    return [part for part in data["sections"] if not _verifies(part)]
+
+
+def verification(data: ReportData) -> list[Section]:
+    """The sections with checks."""
+    return [part for part in data["sections"] if _verifies(part)]
+
+
+def _verifies(part: Section) -> bool:
+    return any(isinstance(block, Checks) for block in part.blocks)
 
 
 def measures(data: ReportData) -> list[Measure]:
@@ -48,9 +73,10 @@ def checks_of(data: ReportData) -> list[Check]:
 
 
 def _contents(data: ReportData) -> str:
-    studies = [(part.name, part.shown) for part in data["sections"]]
-    parts = [("mechanism", True), ("dimensions", bool(data.get("live"))), *studies]
+    shown = [(part.name, part.shown) for part in results(data)]
+    parts = [("mechanism", True), ("dimensions", bool(data.get("live"))), *shown]
     parts += [(group, any(plot["group"] == group for plot in data["plots"])) for group in GROUPS]
+    parts += [(part.name, part.shown) for part in verification(data)]
     parts += [("structure", bool(data["structure"])), ("model", bool(data["model_text"]))]
     links = (f'<a href="#{name}">{markup(say(f"report.{name}"))}</a>' for name, here in parts if here)
     return f'<nav aria-label="{markup(say("report.contents"))}">{"".join(links)}</nav>'
@@ -84,13 +110,14 @@ def _findings(data: ReportData, name: str, found: Sequence[Failure], kind: str, 
 
 
 def stage(data: ReportData) -> str:
-    """Places for the animated drawing (screen) and the one with ghost poses (paper)."""
+    """Places for the animated drawing (screen) and the one with ghost poses (paper), and the latter itself for pages
+    whose scripts don't run."""
+    caption = f"<figcaption>{markup(say('report.still'))}</figcaption>"
     return (
         f'<section id="mechanism"><h2>{markup(say("report.mechanism"))}</h2>'
         f'<div id="drawing" class="panel screen"></div>'
-        f'<figure class="paper"><div id="still"></div>'
-        f"<figcaption>{markup(say('report.still'))}</figcaption></figure>"
-        f"<noscript><p>{markup(say('report.no_script'))}</p></noscript></section>"
+        f'<figure class="paper"><div id="still"></div>{caption}</figure>'
+        f'<noscript><figure class="panel">{drawing(data["scene"])}{caption}</figure></noscript></section>'
     )
 
 
@@ -114,14 +141,15 @@ def structure(data: ReportData) -> str:
 
 
 def plots(data: ReportData) -> str:
-    """One figure per plot under its group's heading; the script fills them."""
+    """One figure per plot under its group's heading; the script fills them, and where none runs a sentence says so."""
+    absent = f"<noscript><p>{markup(say('report.no_script'))}</p></noscript>"
     hint = f'<p class="hint screen">{markup(say("report.plots_hint"))}</p>'
     out = ""
     for group in GROUPS:
         figures = "".join(_plot(i, plot) for i, plot in enumerate(data["plots"]) if plot["group"] == group)
         if figures:
             title = f"<h2>{markup(say(f'report.{group}'))}</h2>"
-            out += f'<section id="{group}">{title}{hint}<div class="plots">{figures}</div></section>'
+            out += f'<section id="{group}">{title}{absent}{hint}<div class="plots">{figures}</div></section>'
             hint = ""
     whole = markup(say("report.whole_time"))
     return out and f'{out}<button type="button" id="whole" class="screen" hidden>{whole}</button>'

@@ -30,12 +30,13 @@ def found(outcomes: Outcomes) -> list[Finding]:
 
 
 def summary(document: Document, outcomes: Outcomes, findings: list[Finding], origin: Origin) -> dict[str, Any]:
-    """What ``summary.json`` holds: origin, name, verdict, the entries of each study, all findings of the file and its
-    run."""
+    """What ``summary.json`` holds: origin, name, author, revision, verdict, the entries of each study, all findings of
+    the file and its run."""
     done = bool(outcomes) and all(outcome.done for outcome in outcomes.values())
     done = done and not any(finding.severity == "error" for finding in findings)
     data: dict[str, Any] = {"schema": SCHEMA, "linkwright": origin.version, **origin.as_dict()}
-    data |= {"name": document.title, "done": done}
+    head = {"name": document.title, "author": document.author, "revision": document.revision}
+    data |= {key: text for key, text in head.items() if text is not None} | {"done": done}
     for report in outcomes.reports():
         entry = dict(report.summary)
         if "measures" in entry:  # the file's own stay what they are

@@ -28,8 +28,7 @@ ${COLOURS}
 .lw{color:var(--lw-ink);font:14px/1.4 system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue",Arial,
   "PingFang SC","Microsoft YaHei","Noto Sans CJK SC","Source Han Sans SC",sans-serif}
 .lw *{box-sizing:border-box}
-.lw svg.lw-drawing{display:block;width:100%;height:auto;background:var(--lw-paper);border-radius:6px}
-.lw-drawing{touch-action:pan-y}
+.lw svg.lw-drawing{touch-action:pan-y;display:block;width:100%;height:auto;background:var(--lw-paper);border-radius:6px}
 .lw-drawing text{font-size:12px;fill:var(--lw-muted)}
 .lw-grid path{stroke:var(--lw-grid);fill:none}
 .lw-grid path.lw-axis{stroke:var(--lw-line)}
@@ -52,14 +51,14 @@ ${COLOURS}
 .lw-original circle{display:none}
 .lw-opening path{stroke:var(--lw-warn);stroke-width:1.5;stroke-dasharray:2 3;fill:none}
 .lw-opening circle{fill:none;stroke:var(--lw-warn);stroke-width:1.7;stroke-dasharray:7 7}
-.lw-drawing .lw-opening text{fill:var(--lw-warn);font-weight:600;paint-order:stroke;
-  stroke:var(--lw-paper);stroke-width:3px}
+.lw-drawing .lw-opening text{fill:var(--lw-warn);font-weight:600}
+.lw-opening text{paint-order:stroke;stroke:var(--lw-paper);stroke-width:3px}
 .lw-grabbable{cursor:grab}
 .lw-dragging{cursor:grabbing}
 .lw-live{touch-action:pan-y}
 .lw-modes{display:flex;gap:.35rem;align-items:center;margin-top:.5rem;font-size:13px;color:var(--lw-muted)}
-.lw-modes button{font:inherit;color:inherit;background:var(--lw-paper);border:1px solid var(--lw-line);
-  border-radius:4px;padding:2px 8px;cursor:pointer}
+.lw-modes button{font:inherit;color:inherit;background:var(--lw-paper);padding:2px 8px;cursor:pointer}
+.lw-modes button{border:1px solid var(--lw-line);border-radius:4px}
 .lw-modes button[aria-pressed="true"]{color:var(--lw-paper);background:var(--lw-accent);border-color:var(--lw-accent)}
 .lw-hint{color:var(--lw-warn)}
 .lw-ghost *{fill:none;stroke-width:1}
@@ -82,8 +81,10 @@ ${KINDS}
 .lw-drawing .lw-measure{fill:var(--lw-muted);paint-order:stroke;stroke:var(--lw-paper);stroke-width:4px;
   stroke-linejoin:round;font-variant-numeric:tabular-nums}
 .lw-stage{position:relative}
-.lw-zoomed{cursor:grab;touch-action:none}
-.lw-panning{cursor:grabbing}
+.lw svg.lw-zoomed{touch-action:none}
+.lw-zoomed{cursor:move}
+.lw-zoomed.lw-grabbable{cursor:grab}
+.lw-panning,.lw-zoomed.lw-dragging{cursor:grabbing}
 .lw-tools{position:absolute;top:6px;right:6px;display:flex;gap:2px;pointer-events:none}
 .lw-tools button{pointer-events:auto;font:12px/1 inherit;font-family:inherit;color:var(--lw-muted);min-width:28px;
   height:28px;padding:0 6px;

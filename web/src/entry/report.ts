@@ -6,6 +6,7 @@ import { LiveModel } from "../live/live_model.ts";
 import { livePage } from "../live/live_page.ts";
 import { plotsOf, sceneOf } from "../live/live_scene.ts";
 import { copyButtons } from "../panels/copy.ts";
+import { openLinkedParts } from "../panels/folded.ts";
 import { found } from "../panels/found.ts";
 import { pageData } from "../panels/page_data.ts";
 import { whenPrinted } from "../panels/print.ts";
@@ -47,6 +48,7 @@ copyButtons(
   () => words.texts["report.copied"] ?? "",
 );
 stacks();
+openLinkedParts();
 
 declare global {
   /** For the browser's console and for tests. */

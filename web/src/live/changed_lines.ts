@@ -7,14 +7,14 @@ export function changedLines(live: LiveModel): string[] {
   const { numbers, lines } = live.data;
   const changed = new Map<number, number[]>();
   numbers.forEach((number, i) => {
-    if (number.line && live.value(i) !== number.value) {
+    if (live.value(i) !== number.value) {
       changed.set(number.line, [...(changed.get(number.line) ?? []), i]);
     }
   });
   return [...changed]
     .sort(([a], [b]) => a - b)
     .map(([line, which]) => {
-      let text = [...(lines[line] ?? "")];
+      let text = [...lines[line]!];
       // The last number first, so that the columns of those before stay what they are.
       for (const i of which.sort((a, b) => numbers[b]!.start - numbers[a]!.start)) {
         const { start, end, size } = numbers[i]!;

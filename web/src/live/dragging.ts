@@ -21,13 +21,17 @@ export function dragging({ live, drawing, held, shapes, said }: DragOptions): vo
   const { picture } = drawing;
   const { data } = live;
   let point = -1;
-  let pose = 0;
+  let links: readonly string[] = [];
+  let time = 0;
+  let start: Float64Array | null = null;
+  let every = false;
   let waiting: readonly [number, number] | null = null;
   const pick = (event: PointerEvent): number => {
     const pin = drawing.pick(event.clientX, event.clientY, event.pointerType === "mouse" ? NEAR.mouse : NEAR.touch);
     const names = pin?.places.flatMap(({ link, local }) =>
       Object.entries(link.points).flatMap(([name, at]) => (at === local ? [name] : [])),
     );
+    links = pin?.places.map(({ link }) => link.name) ?? [];
     return data.program.points.findIndex((name) => names?.includes(name));
   };
   /** What one frame does, however many events came since the last. */
@@ -36,15 +40,17 @@ export function dragging({ live, drawing, held, shapes, said }: DragOptions): vo
     waiting = null;
     if (!target || point < 0) return;
     if (shapes()) {
-      const found = live.drag(point, target, pose, held);
+      const found = live.drag(point, target, time, every ? null : links, held);
+      if (found.time !== time) drawing.setTime((time = found.time) / data.second);
       said(found.reached ? null : found.off);
-    } else drawing.setIndex(nearestPose(target));
+    } else drawing.setTime((time = nearestTime(target)) / data.second);
   };
-  /** The pose near the present one in which the point comes nearest to a place. */
-  const nearestPose = ([x, y]: readonly [number, number]): number => {
+  /** The time near the present one at which the point comes nearest to a place. */
+  const nearestTime = ([x, y]: readonly [number, number]): number => {
     const name = data.program.points[point]!;
     const [xs, ys] = [live.signal(`${name}.x`), live.signal(`${name}.y`)];
-    if (!xs || !ys) return pose;
+    if (!xs || !ys) return time;
+    const pose = nearest(data.times, time);
     const off = (k: number): number => Math.hypot(xs[k]! - x, ys[k]! - y);
     const reach = Math.ceil(xs.length / 6);
     const count = xs.length - 1; // a cycle: the last pose is the first one
@@ -53,8 +59,7 @@ export function dragging({ live, drawing, held, shapes, said }: DragOptions): vo
       const k = (((pose + step) % count) + count) % count;
       if (off(k) < off(best) * (1 - 1e-9)) best = k;
     }
-    pose = best;
-    return best;
+    return data.times[best]!;
   };
   picture.addEventListener("pointerdown", (event) => {
     if (!event.isPrimary) return end(); // a second finger zooms
@@ -63,8 +68,8 @@ export function dragging({ live, drawing, held, shapes, said }: DragOptions): vo
     if (point < 0) return;
     event.preventDefault();
     drawing.pause();
-    pose = nearest(data.times, drawing.time * data.second);
-    drawing.setIndex(pose);
+    time = drawing.time * data.second;
+    start = live.values.slice();
     picture.setPointerCapture(event.pointerId);
     picture.classList.add("lw-dragging");
   });
@@ -75,15 +80,23 @@ export function dragging({ live, drawing, held, shapes, said }: DragOptions): vo
     }
     if (event.buttons === 0) return end();
     const [x, y] = drawing.place(event.clientX, event.clientY);
+    every = event.altKey;
     if (waiting === null) requestAnimationFrame(follow);
     waiting = [x * data.length, y * data.length];
   });
   const end = (): void => {
     if (point < 0) return;
     follow();
+    start = null;
     point = -1;
     said(null);
     picture.classList.remove("lw-dragging");
   };
+  document.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape" || !start) return;
+    waiting = null;
+    live.restore(start);
+    end();
+  });
   for (const kind of ["pointerup", "pointercancel", "lostpointercapture"]) picture.addEventListener(kind, end);
 }

@@ -18,7 +18,7 @@ export interface LiveNumber {
   readonly locked: boolean;
   /** What a change is measured by. */
   readonly scale: number;
-  /** The line of the file, from 1, and the columns of the digits in it; none where it stands nowhere. */
+  /** Its line among those of the data, and the columns of its digits there. */
   readonly line: number;
   readonly start: number;
   readonly end: number;
@@ -33,14 +33,18 @@ export interface LiveData {
   /** The links whose poses come first among the outputs, four rows each. */
   readonly poses: readonly string[];
   readonly signals: readonly string[];
+  /** Other rows, behind the signals, that arrows name. */
+  readonly arrow_rows: readonly string[];
   readonly sizes: readonly number[];
   readonly wrapped: readonly number[];
   readonly probes: readonly (number | null)[];
   readonly scales: readonly number[];
   readonly measures: readonly LiveMeasure[];
+  /** Whether the last two rows are what the powers of a pose leave, and their size. */
+  readonly power: boolean;
   readonly numbers: readonly LiveNumber[];
-  /** The lines of the file in which numbers stand, by their number. */
-  readonly lines: Readonly<Record<string, string>>;
+  /** The lines of the file in which numbers stand. */
+  readonly lines: readonly string[];
   readonly drives: readonly string[];
   readonly parameters: readonly string[];
 }

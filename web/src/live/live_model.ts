@@ -10,6 +10,8 @@ import type { LiveData } from "./live_data.ts";
 const PROBES = 7919;
 /** By how much a probe may differ, over its row's largest value. */
 const CLOSE = 1e-9;
+/** Changes that come within this time (ms) of each other are one. */
+const STROKE = 600;
 
 export class LiveModel {
   readonly data: LiveData;
@@ -21,6 +23,10 @@ export class LiveModel {
   motion: Motion;
   /** The values of the last motion without a failure. */
   private closing: Float64Array;
+  /** The values of before each change, those of the present motion, and when they came (ms). */
+  private readonly history: Float64Array[] = [];
+  private computed: Float64Array;
+  private last = -Infinity;
   /** The number of the data by its place among the free parameters; -1 where it stands nowhere in the file. */
   private readonly places: number[];
   private readonly listeners = new Set<() => void>();
@@ -34,6 +40,7 @@ export class LiveModel {
     this.original = this.run(this.values);
     this.motion = this.original;
     this.closing = this.values.slice();
+    this.computed = this.values.slice();
     this.sound = this.probed();
   }
 
@@ -64,19 +71,50 @@ export class LiveModel {
 
   /** Back to the last values at which all poses close. */
   back(): void {
-    this.values.set(this.closing);
+    this.restore(this.closing);
+  }
+
+  /** To values that were noted. */
+  restore(values: ArrayLike<number>): void {
+    this.values.set(values);
     this.compute();
   }
 
-  /** Bring a point to a place (m) by the numbers that aren't held. */
-  drag(point: number, target: readonly [number, number], pose: number, held: (number: number) => boolean): Dragged {
-    const { numbers } = this.data;
+  /** Back to before the last change, or stroke of changes; false where there was none. */
+  undo(): boolean {
+    const before = this.history.pop();
+    if (!before) return false;
+    this.last = -Infinity;
+    this.values.set(before);
+    this.computed = before;
+    this.compute();
+    return true;
+  }
+
+  get undoable(): boolean {
+    return this.history.length > 0;
+  }
+
+  /** Bring a point to a place (m) by the numbers of some links that aren't held, and where these can't by the time (s).
+   * Without links all numbers may change. */
+  drag(
+    point: number,
+    target: readonly [number, number],
+    time: number,
+    links: readonly string[] | null,
+    held: (number: number) => boolean,
+  ): Dragged {
+    const { numbers, program, times } = this.data;
     const each = this.places.map((number) => numbers[number]);
-    const found = drag(this.mechanism, this.values, this.data.times[pose]!, point, target, {
+    const own = new Set(links?.flatMap((link) => program.shaping[link] ?? []));
+    const found = drag(this.mechanism, this.values, time, point, target, {
+      times: [times[0]!, times.at(-1)!],
       sizes: each.map((number) => number?.scale ?? 1),
       low: each.map((number) => number?.low ?? 0),
       high: each.map((number) => number?.high ?? 0),
-      held: each.map((number, i) => !number || number.locked || held(this.places[i]!)),
+      held: each.map(
+        (number, i) => !number || number.locked || held(this.places[i]!) || (links !== null && !own.has(i)),
+      ),
     });
     if (Number.isFinite(found.off)) {
       this.values.set(found.free);
@@ -91,7 +129,22 @@ export class LiveModel {
     return at < 0 ? undefined : motion.rows[4 * this.data.poses.length + at];
   }
 
+  /** What is left of the balance of power, over the largest powers; null where nothing has any. */
+  get powerResidual(): number | null {
+    const [left, size] = this.motion.rows.slice(-2);
+    if (!this.data.power || !left || !size) return null;
+    const most = (row: Float64Array): number =>
+      row.reduce((largest, value) => (Math.abs(value) > largest ? Math.abs(value) : largest), 0);
+    return most(size) ? most(left) / most(size) : null;
+  }
+
   private compute(): void {
+    // Changes that follow each other within a breath are one step back.
+    if (this.values.some((value, i) => value !== this.computed[i])) {
+      if (performance.now() - this.last > STROKE) this.history.push(this.computed);
+      this.last = performance.now();
+      this.computed = this.values.slice();
+    }
     this.motion = this.run(this.values);
     if (!this.motion.failure) this.closing = this.values.slice();
     for (const listener of this.listeners) listener();

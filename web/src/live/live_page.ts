@@ -2,7 +2,8 @@
 
 import { html } from "../drawing/elements.ts";
 import type { Drawing } from "../drawing/render.ts";
-import { speaker } from "../drawing/words.ts";
+import { still } from "../drawing/still.ts";
+import { type Say, speaker } from "../drawing/words.ts";
 import { dimensions, written } from "../panels/dimensions.ts";
 import { found } from "../panels/found.ts";
 import { liveState } from "../panels/live_state.ts";
@@ -34,6 +35,14 @@ export function livePage({ live, drawing, charts, scene, plots, time, texts, loc
   const panel = dimensions(box, live, say, locked);
   const table = measured(live, say, time);
   const { shapes, hint } = modes(found("#drawing .lw"), drawing, say);
+  const caption = found<HTMLElement>("figure.paper figcaption");
+  const captioned = caption.textContent;
+  let resting = 0;
+  /** The picture for paper follows when the numbers rest. */
+  const toPaper = (now: Scene): void => {
+    still({ model: now, el: found("#still"), words: texts, seen: drawing.seen });
+    caption.textContent = live.changed ? `◐ ${say("live.changed")}. ${captioned}` : captioned;
+  };
   let waiting = false;
   const update = (): void => {
     waiting = false;
@@ -43,6 +52,8 @@ export function livePage({ live, drawing, charts, scene, plots, time, texts, loc
     table.update();
     panel.update();
     state.update(now);
+    clearTimeout(resting);
+    resting = window.setTimeout(() => toPaper(now), 150);
   };
   live.on(() => {
     if (!waiting) requestAnimationFrame(update);
@@ -64,12 +75,13 @@ export function livePage({ live, drawing, charts, scene, plots, time, texts, loc
 }
 
 /** The choice of what a drag does, above the drawing's controls, and the place where a drag says what hinders it. */
-function modes(root: Element, drawing: Drawing, say: (key: string) => string): { shapes(): boolean; hint: HTMLElement } {
+function modes(root: Element, drawing: Drawing, say: Say): { shapes(): boolean; hint: HTMLElement } {
   const bar = html("div", { class: "lw-modes", role: "group", "aria-label": say("live.drag") });
   root.insertBefore(bar, root.querySelector(".lw-bar"));
   html("span", {}, bar, say("live.drag"));
   const buttons = (["shape", "move"] as const).map((mode) => {
-    const button = html("button", { type: "button", "aria-pressed": String(mode === "shape") }, bar, say(`live.${mode}`));
+    const pressed = String(mode === "shape");
+    const button = html("button", { type: "button", "aria-pressed": pressed }, bar, say(`live.${mode}`));
     button.addEventListener("click", () => {
       for (const each of buttons) each.setAttribute("aria-pressed", String(each === button));
     });

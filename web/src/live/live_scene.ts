@@ -38,10 +38,10 @@ export function sceneOf(base: Scene, live: LiveModel, motion: Motion = live.moti
 
 /** The rows that arrows name, in the page's units. */
 function valuesOf({ arrows = [] }: Scene, live: LiveModel, motion: Motion): Record<string, Values> {
-  const { signals, sizes, poses } = live.data;
+  const { signals, arrow_rows, sizes, poses } = live.data;
   const found: Record<string, Values> = {};
   const named = new Set(arrows.flatMap(({ rows, places = [] }) => [...rows, ...places]));
-  for (const [i, label] of signals.entries()) {
+  for (const [i, label] of [...signals, ...arrow_rows].entries()) {
     if (named.has(label)) found[label] = scaled(motion.rows[4 * poses.length + i]!, sizes[i]!);
   }
   return found;

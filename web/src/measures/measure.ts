@@ -2,7 +2,7 @@
 
 import type { Interpolant } from "./samples.ts";
 
-/** A number, by its nominal value (null for none) and the row of the program that gives it where a dimension moves it. */
+/** A number by its nominal value (null for none), and the row of the program that gives it where it moves. */
 export interface LiveNumber {
   value: number | null;
   row: number | null;

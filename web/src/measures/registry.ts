@@ -27,7 +27,7 @@ export function isLive(measure: LiveMeasure): boolean {
   return measure.reason === null && Object.hasOwn(RULES, measure.reduction);
 }
 
-/** The figures (SI) of a measure from samples at times `t` (s, ascending), by label; undefined where it isn't available:
+/** The figures (SI) of a measure from samples at times `t` (s, ascending), by label; undefined where there are none:
  * fewer than two samples, nothing in its window, or a pose there without values. */
 export function figures(measure: LiveMeasure, t: ArrayLike<number>, rows: Rows): Figures | undefined {
   const rule = isLive(measure) ? RULES[measure.reduction] : undefined;

@@ -1,7 +1,7 @@
 // A signal between samples: the piecewise cubic with its values and exact rates there. Operation by operation as
 // src/linkwright/reductions/interpolant.py and samples.py, to the same bits.
 
-import type { Interval } from "./measure.ts";
+import type { Interval, SampledRow } from "./measure.ts";
 
 type Cubic = readonly [number, number, number, number];
 type Node = readonly [number, number, number];
@@ -20,7 +20,7 @@ const MOST_TURNS = 1000;
 
 /** A signal at times `t` (s, ascending, at least two) with its values and rates per second.
  *
- * A value that isn't finite makes both steps beside it unknown. A rate that isn't finite, or that would carry the signal
+ * A value that isn't finite makes both steps beside it unknown. A rate that isn't finite, or would carry the signal
  * past its whole range within the step, isn't used: the step is a parabola then, or a line. */
 export class Interpolant {
   readonly t: ArrayLike<number>;
@@ -278,7 +278,7 @@ function turns(c: Cubic): number[] {
 
 /** How many turns an angle that is known without whole turns has made since the first sample, by its rates; NaN after a
  * gap or a step of more than a turn, as nobody knows what it did there. */
-export function wholeTurns(t: ArrayLike<number>, row: { values: ArrayLike<number>; rates: ArrayLike<number> }): number[] {
+export function wholeTurns(t: ArrayLike<number>, row: SampledRow): number[] {
   const { values, rates } = row;
   const found: number[] = [];
   let made = 0;

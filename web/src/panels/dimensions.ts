@@ -61,7 +61,7 @@ export const written = (value: number): string => String(Number(value.toPrecisio
 function row(parent: Element, live: LiveModel, i: number, say: Say, why: string): Row {
   const number = live.data.numbers[i]!;
   const { label, unit, size, locked } = number;
-  const line = html("div", { class: "number" }, parent);
+  const line = html("div", { class: "dimension" }, parent);
   const id = `number-${i}`;
   html("label", { for: id, title: why || `${label}` }, line, label);
   const slider = html("input", { type: "range", "aria-label": label, ...span(number.low, number.high, size) }, line);

@@ -30,6 +30,13 @@ export function liveState(
     button.addEventListener("click", act);
     return button;
   };
+  const undo = tool("live.undo", () => live.undo());
+  document.addEventListener("keydown", (event) => {
+    const typing = event.target instanceof HTMLInputElement && event.target.type === "text";
+    if (event.key === "z" && (event.ctrlKey || event.metaKey) && !event.shiftKey && !typing && live.undo()) {
+      event.preventDefault();
+    }
+  });
   const reset = tool("live.reset", () => live.reset());
   const back = tool("live.back", () => live.back());
   const copied = tool("live.copy", async () => {
@@ -50,6 +57,7 @@ export function liveState(
     badge.hidden = !changed;
     badge.textContent = `◐ ${say("live.changed")}`;
     for (const button of [reset, copied]) button.hidden = !changed;
+    undo.hidden = !live.undoable;
     back.hidden = !motion.failure;
     lines.hidden = !changed;
     line.hidden = !changed && live.sound;
@@ -60,13 +68,14 @@ export function liveState(
   return { update };
 }
 
-/** What there is to say of the motion of the moment, in a sentence. */
+/** What there is to say of the motion of the moment. */
 function stateLine(live: LiveModel, say: Say, { unit }: Pick<TimeAxis, "unit">, scene: Scene): string {
   const { data, motion } = live;
   const { failure } = motion;
   if (!failure) {
-    const error = closureError(scene);
-    return filled(say("live.closes"), { error: error.toExponential(1) });
+    const closes = filled(say("live.closes"), { error: closureError(scene).toExponential(1) });
+    const left = live.powerResidual;
+    return left === null ? closes : `${closes} ${filled(say("live.balances"), { error: left.toExponential(1) })}`;
   }
   const names: Record<string, string | undefined> = {
     parameter: data.parameters[failure.index],

@@ -66,13 +66,14 @@ export function measured(live: LiveModel, say: Say, time: Pick<TimeAxis, "unit">
       const was = before[label];
       if (figure && was && values[i]) {
         const change = shown((figure.value - was.value) / measure.size, true);
-        const text = say("live.original").replace("{value}", shown(was.value / measure.size)).replace("{change}", change);
+        const original = shown(was.value / measure.size);
+        const text = say("live.original").replace("{value}", original).replace("{change}", change);
         const note = values[i]!.nextElementSibling;
         if (note?.classList.contains("was")) note.textContent = text;
         else values[i]!.after(html("span", { class: "note was" }, null, text));
       }
     });
-    const grade = say(isLive(measure) ? "live.sampled" : "live.not_computed");
+    const grade = isLive(measure) ? say("live.sampled") : say("live.not_computed");
     for (const note of line.querySelectorAll<HTMLElement>(".grade")) note.textContent = grade;
     if (!measure.requirement) return null;
     const verdict = met(measure.requirement, found, rowsOf());

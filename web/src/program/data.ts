@@ -1,4 +1,4 @@
-// What a page gets of a mechanism: emitted programs, and the numbers that join them (linkwright/kernels/page_programs.py).
+// What a page gets of a mechanism: emitted programs, and what joins them (linkwright/kernels/page_programs.py).
 // All numbers are in SI. Rows are those of the inputs of one pose.
 
 /** An emitted program: what depends on the parameters alone is computed once, then pose by pose. */
@@ -75,6 +75,8 @@ export interface ProgramData {
   measured: number;
   /** How many numbers the shapes of links are. */
   shape: number;
+  /** Of each link, which free parameters its points depend on. */
+  shaping: Record<string, number[]>;
   /** The points that may be dragged, and the links whose poses are known, by name. */
   points: string[];
   links: string[];

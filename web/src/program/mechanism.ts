@@ -156,7 +156,9 @@ export class Mechanism {
 
   private wrongNumber(values: Float64Array): number {
     const [positive, signed] = [this.data.looked_at[0], this.data.looked_at[0] + this.data.looked_at[1]];
-    return values.findIndex((value, i) => !(i < positive ? value > 0 : i < signed ? value >= 0 : Number.isFinite(value)));
+    const sound = (value: number, i: number): boolean =>
+      i < positive ? value > 0 : i < signed ? value >= 0 : Number.isFinite(value);
+    return values.findIndex((value, i) => !sound(value, i));
   }
 
   /** Drives and branches of a pose at a time. */
@@ -182,7 +184,11 @@ export class Mechanism {
 
   /** Follow the higher groups from the nominal start, in the parameters and then from time to time; whether they are
    * known at the last one. */
-  private followed(parameters: Float64Array, times: readonly number[], at?: (k: number, known: boolean) => void): boolean {
+  private followed(
+    parameters: Float64Array,
+    times: readonly number[],
+    at?: (k: number, known: boolean) => void,
+  ): boolean {
     const homotopy = (share: number, x: Float64Array): void => {
       const { nominal } = this;
       this.tell(share < 1 ? parameters.map((goal, i) => nominal[i]! + share * (goal - nominal[i]!)) : parameters);

