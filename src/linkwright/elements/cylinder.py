@@ -6,7 +6,7 @@ A cylinder ``lift`` from the point K to the point M becomes the links ``lift_bar
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Annotated, Any
 
 from pydantic import Field
@@ -55,6 +55,11 @@ class Cylinder(Frozen):
 def links_of(name: str) -> tuple[str, str]:
     """The names of a cylinder's two links."""
     return f"{name}_barrel", f"{name}_rod"
+
+
+def ends_of(cylinders: Iterable[str]) -> set[str]:
+    """The points that barrels and rods of cylinders have besides their pins, by the cylinders' names."""
+    return {end_of(link) for name in cylinders for link in links_of(name)}
 
 
 def end_of(link: str) -> str:

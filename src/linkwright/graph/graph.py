@@ -13,6 +13,7 @@ from typing import Any
 
 import casadi as ca
 
+from linkwright.elements.force import Acting
 from linkwright.expressions.language import Call, Name, parse
 from linkwright.graph.actions import Actions
 from linkwright.graph.geometry import Geometry, widest
@@ -224,6 +225,11 @@ class Graph:
     def _bare(self) -> View:
         """The motion alone, to order 0."""
         return View.build(self, 0, self.motion_inputs)
+
+    def acted_on(self, one: Acting) -> list[str]:
+        """The links on which an element acts, in the order of its wrenches."""
+        view = self._view(max(self.actions.order, one.kind.order))
+        return [link for link, _ in one.kind.wrenches(view, one.name, one.entry)]
 
     def _view(self, order: int) -> View:
         if order not in self._views:

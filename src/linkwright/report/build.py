@@ -8,6 +8,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.elements.cylinder import ends_of
 from linkwright.elements.force import FORCES, SignalChart
 from linkwright.escape import printed
 from linkwright.expressions.units import LENGTH, TIME, Dimension
@@ -17,6 +18,7 @@ from linkwright.model.document import Document, dump
 from linkwright.model.origin import Origin, hashed
 from linkwright.presentation.json_numbers import listed
 from linkwright.presentation.lettering import without_hanzi_spaces
+from linkwright.report.arrows import arrow_data, arrows, force_name
 from linkwright.report.cam_shapes import cam_shapes
 from linkwright.report.centrodes import centrodes
 from linkwright.report.data import (
@@ -33,7 +35,7 @@ from linkwright.report.data import (
     Time,
     Trace,
 )
-from linkwright.report.joint_shapes import joint_shapes
+from linkwright.report.joint_shapes import is_cylinder, joint_shapes
 from linkwright.report.live import can_be_live, live_data
 from linkwright.report.structure_summary import facts
 from linkwright.report.summary import drawn, found
@@ -73,6 +75,10 @@ def report_data(
     findings = [*examined, *found(outcomes)]
     picture, curves = scene(result), plots(result) if result.t[-1] > result.t[0] else []
     text = dump(document) if text is None else text
+    shown_arrows = arrows(result) if can_be_live(result) else []
+    live = live_data(document, text, result, picture, curves, shown_arrows)
+    if live and shown_arrows:
+        picture["arrows"] = arrow_data(result, shown_arrows)
     data: ReportData = {
         "title": document.title,
         "subtitle": without_hanzi_spaces(document.note or ""),
@@ -82,7 +88,7 @@ def report_data(
         "time": axis(result),
         "scene": picture,
         "plots": curves,
-        "live": live_data(document, text, result, picture, curves),
+        "live": live,
         "sections": [section for one in shown for section in one.sections],
         "structure": facts(result.run.compiled),
         "failures": [_failure(finding) for finding in findings if finding.severity != "note"],
@@ -153,6 +159,7 @@ def scene(result: Result) -> Scene:
         "traces": _traces(result, size),
         "centrodes": centrodes(result, size),
         "springs": _springs(result),
+        "driven": [[drive.link, drive.on] for drive in compiled.mechanism.drives.values() if drive.turns],
     }
 
 
@@ -171,7 +178,10 @@ def _joints(result: Result) -> list[JointData]:
         angles = [float(geometry.heading_angle(name, link)) for link in joint.links]
         points = [line.point for line in joint.line]
         joined: JointData = {"name": name, "kind": "prismatic", "links": list(joint.links), "points": points}
-        found.append({**joined, "angles": angles})
+        joined["angles"] = angles
+        if is_cylinder(compiled.structure.topology, name):
+            joined["look"] = "cylinder"
+        found.append(joined)
     return found
 
 
@@ -190,7 +200,10 @@ def _traces(result: Result, size: float) -> list[Trace]:
 
 
 def _moving_points(result: Result) -> list[str]:
-    links_of_points = result.run.compiled.quantities.signals.links_of_points
+    """The points that move, in the file's order; those that no file names, as the ends of rods, are left out."""
+    compiled = result.run.compiled
+    unnamed = ends_of(compiled.mechanism.cylinders)
+    links_of_points = [p for p in compiled.quantities.signals.links_of_points if p not in unnamed]
     spans = {p: max(_span(result[f"{p}.x"]), _span(result[f"{p}.y"])) for p in links_of_points}
     largest = max(spans.values(), default=0.0)
     return [p for p, span in spans.items() if span > 1e-9 * largest]
@@ -224,9 +237,7 @@ def _force_plots(result: Result) -> list[Plot | None]:
     m, signals = result.run.compiled.mechanism, result.run.compiled.quantities.signals
     found: list[Plot | None] = []
     for contact in signals.reactions:
-        name = f"force({contact.link}, {contact.on})"
-        if f"{name}.x" not in result.names:
-            name = f"force({contact.link}, {contact.on}, {contact.joint})"
+        name = force_name(result, contact)
         title = Said("plot.force", a=contact.link, b=contact.on)
         found.append(_plot(result, title, "force", [f"{name}.x", f"{name}.y"]))
         if f"{name}.moment" in result.names:

@@ -94,6 +94,24 @@ class SpringData(TypedDict):
     look: Literal["coil", "strut"]
 
 
+ArrowKind = Literal["velocity", "acceleration", "reaction", "load", "weight"]
+
+
+class ArrowData(TypedDict):
+    """An arrow of a live report: the labels of the two ``rows`` of its vector, in ``unit``.
+
+    It begins at a point, ``at`` = [link, point], or at the ``places`` in two other rows, in the length unit. ``name``
+    is what it belongs to: a point, a reaction, a load, a link.
+    """
+
+    kind: ArrowKind
+    name: str
+    unit: str
+    rows: Sequence[str]
+    at: NotRequired[Sequence[str]]
+    places: NotRequired[Sequence[str]]
+
+
 class AreaData(TypedDict):
     """What lies behind the mechanism: a shape by its rings of places [x, y], holes among them, in the length unit."""
 
@@ -102,7 +120,11 @@ class AreaData(TypedDict):
 
 
 class Scene(TypedDict):
-    """The mechanism as ``assets/mechanism.js`` draws it. ``time``: one entry per pose, increasing."""
+    """The mechanism as ``assets/mechanism.js`` draws it.
+
+    ``time``: one entry per pose, increasing. ``driven``: the links that drives turn, each with the link against which.
+    ``values``: the rows that arrows name, where they are known.
+    """
 
     length_unit: str
     time: Sequence[float]
@@ -112,6 +134,9 @@ class Scene(TypedDict):
     centrodes: NotRequired[Sequence[Centrode]]
     springs: NotRequired[Sequence[SpringData]]
     areas: NotRequired[Sequence[AreaData]]
+    driven: NotRequired[Sequence[Sequence[str]]]
+    arrows: NotRequired[Sequence[ArrowData]]
+    values: NotRequired[Mapping[str, Values]]
 
 
 class Series(TypedDict):
@@ -175,7 +200,8 @@ class LiveData(TypedDict):
 
     ``code``: the programs as JavaScript. ``program``: what joins them. ``length`` and ``second``: SI sizes of the
     report's units. ``poses``: the links whose poses come first among the programs' outputs, four rows each;
-    ``signals``: the names of the rows behind them, with the ``sizes`` of their units; ``wrapped`` are the numbers of
+    ``signals``: the names of the rows behind them, then ``arrow_rows``: the labels of others that arrows name, all with
+    the ``sizes`` of their units; ``wrapped`` are the numbers of
     those that are angles without whole turns. ``probes``: a value of each row, which the page must find too, but for
     round-off of its ``scales``. ``measures``: what is taken of the samples. With ``power`` the last two rows are what
     the powers of a pose leave, and their size (W).
@@ -190,6 +216,7 @@ class LiveData(TypedDict):
     second: float
     poses: Sequence[str]
     signals: Sequence[str]
+    arrow_rows: Sequence[str]
     sizes: Sequence[float]
     wrapped: Sequence[int]
     probes: Values

@@ -8,11 +8,22 @@ from numpy.typing import NDArray
 from linkwright.graph.geometry import Geometry
 from linkwright.report.cam_shapes import Shapes
 from linkwright.results import Result
+from linkwright.structure import FRAME
+from linkwright.structure.topology import Topology
 
 WIDTH = 0.03
 """Width of a slot over the size of what is drawn."""
 ROUND = 6
 """Pieces of a quarter of its rounded ends."""
+
+
+def is_cylinder(topology: Topology, slide: str) -> bool:
+    """Whether a slide lies between a barrel and a rod: two moving links, each held by one pin and nothing else."""
+    _, links = topology.joints[slide]
+    if len(links) != 2 or FRAME in links:
+        return False
+    holding = [[name for name, (_, joined) in topology.joints.items() if link in joined] for link in links]
+    return all(len(names) == 2 and any(name in topology.pins for name in names) for names in holding)
 
 
 def joint_shapes(result: Result, size: float, extent: float) -> Shapes:

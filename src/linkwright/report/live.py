@@ -22,6 +22,7 @@ from linkwright.model.document import Document
 from linkwright.model.live_numbers import live_numbers
 from linkwright.model.named_numbers import NamedNumbers, named_numbers
 from linkwright.presentation.json_numbers import known
+from linkwright.report.arrows import Arrow, arrow_rows
 from linkwright.report.data import LiveData, LiveNumber, Plot, Scene
 from linkwright.results import Result
 from linkwright.studies.drive_sweep import Sweep
@@ -38,8 +39,10 @@ def can_be_live(result: Result) -> bool:
     return not isinstance(run, Sweep) and run.start == 0.0 < run.stop and not run.compiled.passages.every
 
 
-def live_data(document: Document, text: str, result: Result, scene: Scene, plots: Sequence[Plot]) -> LiveData | None:
-    """The data of a result that a report shows by this scene and these plots; ``text`` is that of the model file.
+def live_data(
+    document: Document, text: str, result: Result, scene: Scene, plots: Sequence[Plot], arrows: Sequence[Arrow] = ()
+) -> LiveData | None:
+    """The data of a result that a report shows by this scene, plots and arrows; ``text`` is that of the model file.
     ``None`` where the page can't compute it."""
     if not can_be_live(result):
         return None
@@ -50,14 +53,19 @@ def live_data(document: Document, text: str, result: Result, scene: Scene, plots
         return None
     names = dict.fromkeys(f"{trace['name']}.{axis}" for trace in scene["traces"] for axis in "xy")
     names |= dict.fromkeys(series["name"] for plot in plots for series in plot["series"])
+    pointed = arrow_rows(arrows)
+    names |= dict.fromkeys(row for row in pointed if isinstance(row, str))
     signals, quantities = [*names], recorded.quantities
+    others = [row for row in pointed if not isinstance(row, str)]
+    dimensions = [*map(result.dimension, signals), *(pointed[row] for row in others)]
     measures = live_measures(compiled)
     measured = live_rows(measures)
     weighs = any(compiled.mechanism.has_mass(link) for link in compiled.mechanism.links)
     power = weighs or any(one.kind.acts for one in compiled.mechanism.acting())
     balance = [PowerRow(), PowerRow(size=True)] if power else []
-    made = page_programs(compiled, [*compiled.graph.pose_rows, *signals, *balance], measured)
+    made = page_programs(compiled, [*compiled.graph.pose_rows, *signals, *others, *balance], measured)
     values = [*recorded.evaluate(recorded.graph.pose_rows, result.t), *(result[name] for name in signals)]
+    values += [*recorded.evaluate(others, result.t)] if others else []
     numbers, lines = _numbers(made, named, text)
     return {
         "code": made.code(),
@@ -67,10 +75,11 @@ def live_data(document: Document, text: str, result: Result, scene: Scene, plots
         "second": quantities.unit_of(TIME)[1],
         "poses": list(compiled.structure.topology.moving),
         "signals": signals,
-        "sizes": [quantities.unit_of(result.dimension(name))[1] for name in signals],
+        "arrow_rows": recorded.graph.labels(others),
+        "sizes": [quantities.unit_of(dimension)[1] for dimension in dimensions],
         "wrapped": [i for i, name in enumerate(signals) if recorded.graph.wrapped(name)],
         "probes": [known(float(row[i * PROBE % result.t.size])) for i, row in enumerate(values)],
-        "scales": _scales(values, [*("pose" for _ in compiled.graph.pose_rows), *map(result.dimension, signals)]),
+        "scales": _scales(values, [*("pose" for _ in compiled.graph.pose_rows), *dimensions]),
         "power": power,
         "measures": [one.data({row: i for i, row in enumerate(measured)}) for one in measures],
         "numbers": numbers,

@@ -46,10 +46,25 @@ PLACES = {name: f"{{{name}}}" for name in ("change", "error", "met", "name", "of
 """The places of the scripts' texts, which the scripts fill."""
 SCRIPT_WORDS = (
     "report.areas",
+    "report.arrow_acceleration",
+    "report.arrow_length",
+    "report.arrow_load",
+    "report.arrow_reaction",
+    "report.arrow_velocity",
+    "report.arrow_weight",
     "report.centrodes",
+    "report.choose_all",
+    "report.choose_none",
     "report.copied",
+    "report.dimension_lines",
     "report.drawing",
     "report.fail",
+    "report.find_name",
+    "report.fit",
+    "report.fit_all",
+    "report.full_screen",
+    "report.hover_reaction",
+    "report.hover_speed",
     "report.link_names",
     *(f"report.live.{key}" for key in LIVE_WORDS),
     "report.not_assembled",
@@ -59,7 +74,11 @@ SCRIPT_WORDS = (
     "report.play",
     "report.point_names",
     "report.real_time",
+    "report.show",
     "report.speed",
+    "report.view",
+    "report.zoom_in",
+    "report.zoom_out",
 )
 """The keys that the page's scripts read."""
 

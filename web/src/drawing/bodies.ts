@@ -3,7 +3,7 @@
 import type { LinkData, Point } from "../scene/data.ts";
 import { svg } from "./elements.ts";
 import { hull, outline } from "./geometry.ts";
-import { BLOCK, type Guide, onGuide, type Side } from "./guides.ts";
+import { BLOCK, type Guide, inCylinder, onGuide, type Side } from "./guides.ts";
 import { poseOf } from "./poses.ts";
 import { colourOf, type Facts } from "./survey.ts";
 import { type Move, putShape, type View } from "./view.ts";
@@ -32,7 +32,9 @@ export function bodies(facts: Facts, view: View, r: number, parent: Element): Mo
         svg("path", { class: "lw-slot lw-outline", d: `M${d}Z` }, slots);
       }
       const points = Object.values(link.points).map(toPixels);
-      if (hull(points).length > 1 || !sliding) svg("path", { class: "lw-body", d: outline(points, r) }, body);
+      const ring = hull(points).length;
+      const drawn = inCylinder(facts.guides, link) ? ring > 2 : ring > 1 || !sliding;
+      if (drawn) svg("path", { class: "lw-body", d: outline(points, r) }, body);
       return { link, groups: [slots, body, blocks] };
     });
   return (sample, f) => {

@@ -1,18 +1,20 @@
 // What stands below a drawing: play, the time's slider, speed, and what is to be seen.
 
 import type { TimeAxis } from "../scene/data.ts";
+import { choices, type Entry } from "./check.ts";
 import { html, svg } from "./elements.ts";
 import { SECONDS, speeds } from "./speeds.ts";
 import { colourOf, type Facts, PALETTE, traceColour } from "./survey.ts";
 import type { Say } from "./words.ts";
+
+/** More paths than this would hide the mechanism. */
+const MANY = 8;
 
 export interface Controls {
   readonly play: HTMLButtonElement;
   readonly slider: HTMLInputElement;
   readonly readout: HTMLOutputElement;
   readonly speed: HTMLSelectElement;
-  readonly points: HTMLInputElement;
-  readonly links: HTMLInputElement;
   readonly areas: readonly HTMLInputElement[];
   readonly traces: readonly HTMLInputElement[];
   readonly centrodes: readonly HTMLInputElement[];
@@ -34,27 +36,30 @@ export function controls(root: Element, facts: Facts, { say, time, real }: Contr
   const options = html("div", { class: "lw-options" }, root);
   const speedLabel = html("label", {}, options, say("speed"));
   const speed = speedChoice(speedLabel, real, SECONDS[time.unit] ? say("real_time") : null);
-  const points = check(options, say("point_names"));
-  const links = check(options, say("link_names"));
-  const areas = choices(
-    options,
+  const chosen = (title: string, entries: readonly Entry[]) => choices(options, title, entries, say);
+  const areas = chosen(
     say("areas"),
-    facts.areas.map(({ name }, i) => ({ name, colour: `lw-c${i % PALETTE}` })),
+    facts.areas.map(({ name }, i) => ({ name, colour: `lw-c${i % PALETTE}`, checked: true })),
   );
-  const traces = choices(
-    options,
-    say("paths"),
-    facts.scene.traces.map(({ name }, i) => ({ name, colour: traceColour(facts, i) })),
-  );
-  const centrodes = choices(
-    options,
+  const traces = chosen(say("paths"), paths(facts));
+  const centrodes = chosen(
     say("centrodes"),
-    facts.centrodes.map(({ link }) => ({ name: link, colour: colourOf(facts, facts.links.get(link)!) })),
-    false,
+    facts.centrodes.map(({ link }) => {
+      return { name: link, colour: colourOf(facts, facts.links.get(link)!), checked: false };
+    }),
   );
   const stands = facts.times.length < 2 || facts.times.at(-1) === facts.times[0];
   if (stands) for (const part of [bar, speedLabel]) part.classList.add("lw-hidden");
-  return { play, slider, readout, speed, points, links, areas, traces, centrodes };
+  return { play, slider, readout, speed, areas, traces, centrodes };
+}
+
+/** The paths, all to be seen at first if they are few; else those of points that no joint holds, if there are any. */
+function paths(facts: Facts): Entry[] {
+  const { traces, joints } = facts.scene;
+  const held = new Set(joints.flatMap(({ points }) => points));
+  const free = new Set(facts.pins.map(({ name }) => name).filter((name) => !held.has(name)));
+  const some = traces.length > MANY && traces.some(({ name }) => free.has(name));
+  return traces.map(({ name }, i) => ({ name, colour: traceColour(facts, i), checked: !some || free.has(name) }));
 }
 
 function playButton(parent: Element): HTMLButtonElement {
@@ -89,26 +94,4 @@ function speedChoice(parent: Element, real: number, realTime: string | null): HT
     html("option", { value: factor }, speed, text).selected = factor === usual;
   }
   return speed;
-}
-
-/** A box to tick, before its label and, if there is one, a swatch of a colour. */
-function check(parent: Element, text: string, checked = true, colour: string | null = null): HTMLInputElement {
-  const label = html("label", {}, parent);
-  const box = html("input", { type: "checkbox" }, label);
-  box.checked = checked;
-  if (colour !== null) html("span", { class: `lw-swatch ${colour}` }, label);
-  label.append(text);
-  return box;
-}
-
-/** A group of boxes, one an entry. */
-function choices(
-  parent: Element,
-  title: string,
-  entries: readonly { readonly name: string; readonly colour: string }[],
-  checked = true,
-): HTMLInputElement[] {
-  const group = html("span", { class: "lw-paths", role: "group", "aria-label": title }, parent);
-  if (entries.length) html("span", {}, group, title);
-  return entries.map(({ name, colour }) => check(group, name, checked, colour));
 }

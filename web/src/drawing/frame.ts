@@ -6,6 +6,8 @@ import type { Say } from "./words.ts";
 
 export interface Frame {
   readonly root: HTMLDivElement;
+  /** Holds the drawing and what lies on it. */
+  readonly stage: HTMLDivElement;
   readonly drawing: SVGSVGElement;
 }
 
@@ -13,7 +15,8 @@ export interface Frame {
 export function frame(el: Element, say: Say): Frame {
   const root = html("div", { class: "lw" });
   html("style", {}, root, STYLE);
-  const drawing = svg("svg", { class: "lw-drawing", role: "img", "aria-label": say("drawing") }, root);
+  const stage = html("div", { class: "lw-stage" }, root);
+  const drawing = svg("svg", { class: "lw-drawing", role: "img", "aria-label": say("drawing") }, stage);
   el.replaceChildren(root);
-  return { root, drawing };
+  return { root, stage, drawing };
 }

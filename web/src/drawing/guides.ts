@@ -53,6 +53,10 @@ function travel(guide: Side, block: Side, cylinder: boolean, times: readonly num
   return low > high ? { low: 0, high: 0 } : { low, high };
 }
 
+/** Whether a link is barrel or rod of a cylinder, whose symbol stands for what lies on its line. */
+export const inCylinder = (guides: readonly Guide[], link: LinkData): boolean =>
+  guides.some(({ cylinder, guide, block }) => cylinder && [guide.link, block.link].includes(link));
+
 /** The place on a side's line at a distance from its point. */
 export const onGuide = ({ local, angle }: Side, travel: number): Point => [
   local[0] + travel * Math.cos(angle),

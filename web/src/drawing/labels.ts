@@ -2,7 +2,8 @@
 
 import type { LinkData, Point } from "../scene/data.ts";
 import { clamp } from "../scene/numbers.ts";
-import { shown, svg } from "./elements.ts";
+import { measured, type Placed, textBox } from "./crowding.ts";
+import { svg } from "./elements.ts";
 import { hull, mean, widestGap } from "./geometry.ts";
 import { BLOCK, onGuide } from "./guides.ts";
 import type { Pin, Spot } from "./pins.ts";
@@ -12,32 +13,46 @@ import type { Move, View } from "./view.ts";
 import { round } from "./written.ts";
 
 /** A text, the place that it belongs to, and how far off it stands, in pixels. */
-interface Label {
-  readonly text: SVGTextElement;
+interface Label extends Placed {
   readonly at: Spot;
   /** Half the text's width, near enough; 0 where it may leave the drawing. */
   readonly half: number;
+  readonly width: number;
+  readonly anchor: "start" | "middle" | "end";
   readonly offset: (pose: Pose) => Point;
 }
 
-export function labels(facts: Facts, view: View, r: number, parent: Element): Move {
-  const texts = facts.pins.map((pin) => pinLabel(pin, facts, r, parent));
-  for (const link of facts.scene.links) {
+export interface Labels {
+  readonly move: Move;
+  readonly pins: readonly Placed[];
+  readonly links: readonly Placed[];
+}
+
+export function labels(facts: Facts, view: View, r: number, parent: Element): Labels {
+  const every = facts.pins.map((pin) => ({ pin, label: pinLabel(pin, facts, r, parent) }));
+  const joined = every.filter(({ pin }) => pin.joints.length).map(({ label }) => label);
+  const pins = [...joined, ...every.filter(({ pin }) => !pin.joints.length).map(({ label }) => label)];
+  const links = facts.scene.links.flatMap((link) => {
     const label = link.fixed ? null : linkLabel(link, facts, r, parent);
-    if (label) texts.push(label);
-  }
-  return (sample, f) => {
-    for (const { text, at, half, offset } of texts) {
+    return label ? [label] : [];
+  });
+  const move: Move = (sample, f) => {
+    for (const label of [...pins, ...links]) {
+      const { text, at, half, anchor, offset } = label;
       const pose = poseOf(at.link, facts.times, sample, f);
-      shown(text, pose !== null);
+      label.boxes = [];
       if (!pose) continue;
       const [x, y] = view.toScreen(place(pose, at.local));
       const [dx, dy] = offset(pose);
-      const inside = half ? clamp(x + dx, half + 4, view.width - half - 4) : x + dx;
+      const into = (at: number): number => (half ? clamp(at, half + 4, view.width - half - 4) : at);
+      const inside = into(x + dx);
       text.setAttribute("x", String(round(inside)));
       text.setAttribute("y", String(round(y + dy)));
+      const box = textBox(label.width, inside, y + dy, anchor);
+      label.boxes = half && (dx || dy) ? [box, { ...box, x: into(x - dx), y: y - dy }] : [box];
     }
   };
+  return { move, pins, links };
 }
 
 function pinLabel(pin: Pin, facts: Facts, r: number, parent: Element): Label {
@@ -46,7 +61,8 @@ function pinLabel(pin: Pin, facts: Facts, r: number, parent: Element): Label {
   const anchor = dx > 0.3 ? "start" : dx < -0.3 ? "end" : "middle";
   const text = svg("text", { class: "lw-label", "text-anchor": anchor, dy: "0.35em" }, parent);
   text.textContent = pin.name;
-  return { text, at: pin.places[0], half: 0, offset: () => [dx * (r + 7), dy * (r + 9)] };
+  const offset = (): Point => [dx * (r + 7), dy * (r + 9)];
+  return { text, boxes: [], at: pin.places[0], half: 0, width: measured(text), anchor, offset };
 }
 
 /** The direction (one of eight, screen radians) in which a pin's label meets its links least. */
@@ -102,7 +118,7 @@ function linkLabel(link: LinkData, facts: Facts, r: number, parent: Element): La
     const across = Math.atan2(pose.s, pose.c) + along - Math.PI / 2;
     return [Math.cos(across) * (away + half), -Math.sin(across) * (away + 7)];
   };
-  return { text, at: { link, local: middle }, half, offset };
+  return { text, boxes: [], at: { link, local: middle }, half, width: measured(text), anchor: "middle", offset };
 }
 
 /** The class of a slanted name: Latin names are slanted, hanzi have no slanted form. */

@@ -1,16 +1,21 @@
 // The whole drawing, layer upon layer.
 
 import { clamp } from "../scene/numbers.ts";
+import { arrows } from "./arrows.ts";
 import { backdrop } from "./backdrop.ts";
 import { bodies } from "./bodies.ts";
+import { type Camera, HOME, through } from "./camera.ts";
+import { thinned } from "./crowding.ts";
+import { dimensionLines } from "./dimension_lines.ts";
 import { shown, svg } from "./elements.ts";
 import { labels } from "./labels.ts";
 import { openings } from "./openings.ts";
 import { areas, centrodes, traces } from "./paths.ts";
 import { pinCircles } from "./pin_circles.ts";
+import { type Seen, usual } from "./seen.ts";
 import { springs } from "./springs.ts";
 import type { Box, Facts } from "./survey.ts";
-import { fit, type Move, type View } from "./view.ts";
+import { fit, type Move, sameView, type View } from "./view.ts";
 import type { Say } from "./words.ts";
 
 /** A drawing that `show` moves to sample k + f, with the groups that can be switched. */
@@ -25,6 +30,10 @@ export interface Size {
   readonly width: number;
   /** The most that it may be high. */
   readonly most: number;
+  /** The least that it may be high, if that isn't as usual. */
+  readonly least?: number;
+  readonly camera?: Camera;
+  readonly seen?: Seen;
   /** What of the world is to be seen, if not all the motion. */
   readonly box?: Box;
   /** What is to be compared with, as it was: a faint drawing behind. */
@@ -36,6 +45,8 @@ export interface Size {
 /** A drawing that `show` moves, and how the world lies on its screen. */
 export interface Drawn extends Picture {
   readonly view: View;
+  /** The view that fits all, on which the camera is. */
+  readonly fitted: View;
   readonly original: Original | null;
 }
 
@@ -49,11 +60,12 @@ interface Original {
 export function draw(
   root: SVGSVGElement,
   facts: Facts,
-  { width, most, box, original = null, before = null }: Size,
+  { width, most, least, box, camera = HOME, seen = usual(), original = null, before = null }: Size,
   say: Say,
   ghosts: readonly number[] = [],
 ): Drawn {
-  const view = fit(facts, width, most, box);
+  const fitted = fit(facts, width, most, box, least);
+  const view = through(fitted, camera);
   const r = clamp(width / 90, 4.5, 7);
   root.replaceChildren();
   root.setAttribute("viewBox", `0 0 ${view.width} ${view.height}`);
@@ -64,6 +76,7 @@ export function draw(
   if (compared) root.append(compared.group);
   const paths = traces(facts, view, root);
   const rolling = centrodes(facts, view, root);
+  const layer = (name: string) => svg("g", { class: name }, root);
   const moves = [
     compared?.move ?? (() => {}),
     paths.move,
@@ -72,22 +85,28 @@ export function draw(
     springs(facts, view, r, root),
     pinCircles(facts, view, r, root),
     openings(facts, view, svg("g", {}, root)),
-    labels(facts, view, r, svg("g", { class: "lw-labels" }, root)),
+    arrows(facts, view, seen.arrows, layer("lw-arrows")),
   ];
+  const lengths = seen.dimensions ? dimensionLines(facts, original, view, layer("lw-dimensions")) : null;
+  const names = labels(facts, view, r, layer("lw-labels"));
+  if (lengths) moves.push(lengths.move);
+  moves.push(names.move);
+  const [pins, links] = [seen.points ? names.pins : [], seen.links ? names.links : []];
+  for (const { text } of [...names.pins, ...names.links]) shown(text, false);
+  const thin = thinned([...pins, ...(lengths?.texts ?? []), ...links]);
   const note = svg("text", { class: "lw-note", x: width / 2, y: 24, "text-anchor": "middle" }, root);
   note.textContent = say("not_assembled");
   const show: Move = (sample, f) => {
     for (const move of moves) move(sample, f);
+    thin();
     shown(note, Boolean(facts.gaps[sample] || (f && facts.gaps[sample + 1])));
   };
-  return { show, view, original: compared, areas: behind, traces: paths.groups, centrodes: rolling.groups };
+  return { show, view, fitted, original: compared, areas: behind, traces: paths.groups, centrodes: rolling.groups };
 }
 
 /** The mechanism as it was, and the paths of its points. */
 function originalOf(facts: Facts, view: View, r: number, before: Drawn | null): Original {
-  const kept = before?.original;
-  const { k, width, height } = before?.view ?? { k: 0, width: 0, height: 0 };
-  if (kept?.facts === facts && k === view.k && width === view.width && height === view.height) return kept;
+  if (before && sameView(before.view, view) && before.original?.facts === facts) return before.original;
   const group = svg("g", { class: "lw-original" });
   traces(facts, view, group);
   return { facts, group, move: bodies(facts, view, r, group) };

@@ -3,52 +3,24 @@
 //   const drawing = render({ model: scene, el, words, time, autoplay });
 //   drawing.setTime(t); drawing.setIndex(i); drawing.on("time", (t, index) => ...); drawing.destroy();
 
-import type { Point, Scene, Texts, TimeAxis } from "../scene/data.ts";
 import { clamp } from "../scene/numbers.ts";
 import { locate } from "../scene/times.ts";
 import { controls } from "./controls.ts";
+import type { Drawing, Listener, RenderOptions } from "./drawing.ts";
 import { frame } from "./frame.ts";
+import { hover } from "./hover.ts";
 import { type Drawn, draw } from "./picture.ts";
 import { onPicture, pinAt } from "./pick.ts";
 import type { Pin } from "./pins.ts";
 import { playback } from "./playback.ts";
+import { usual } from "./seen.ts";
+import { showRow } from "./show_row.ts";
 import { SECONDS } from "./speeds.ts";
-import { type Facts, survey } from "./survey.ts";
+import { type Facts, survey, together } from "./survey.ts";
+import { viewing } from "./viewing.ts";
 import { speaker } from "./words.ts";
 
-export interface RenderOptions {
-  readonly model: Scene;
-  readonly el: Element;
-  /** Texts under "report.*" keys. */
-  readonly words?: Texts;
-  /** Unit and name of the scene's time. */
-  readonly time?: Pick<TimeAxis, "unit" | "label">;
-  /** Yields to a wish for reduced motion. */
-  readonly autoplay?: boolean;
-}
-
-export type Listener = (time: number, index: number) => void;
-
-/** A drawing on the page, as callers steer it. */
-export interface Drawing {
-  readonly playing: boolean;
-  readonly time: number;
-  play(): void;
-  pause(): void;
-  /** Setting a time or a sample ends the play. */
-  setTime(t: number): void;
-  setIndex(i: number): void;
-  /** The same links and points in another motion at the same times; `original` is drawn faintly behind it. */
-  update(scene: Scene, original: Scene | null): void;
-  /** The place in the world of a place in the window. */
-  place(x: number, y: number): Point;
-  /** The pin or point next to a place in the window, none farther away than some pixels. */
-  pick(x: number, y: number, within: number): Pin | null;
-  readonly picture: SVGSVGElement;
-  /** Calls back when the time changes, until the function that it gives is called. */
-  on(event: "time", callback: Listener): () => void;
-  destroy(): void;
-}
+export type { Drawing, Listener, RenderOptions } from "./drawing.ts";
 
 /** Draws the scene `model` into `el`, with play, speed and time controls. */
 export function render({
@@ -65,8 +37,10 @@ export function render({
   const [first, last] = [times[0]!, times.at(-1)!];
   const second = SECONDS[time.unit];
   const perSecond = second ? 1 / second : (last - first) / 4;
-  const { root, drawing } = frame(el, say);
+  const { root, stage, drawing } = frame(el, say);
   const ui = controls(root, facts, { say, time, real: (last - first) / perSecond });
+  const seen = usual();
+  let drawn = 0;
   const decimals = clamp(1 - Math.floor(Math.log10((last - first) / (times.length - 1) || 1)), 0, 9);
   const listeners = new Set<Listener>();
   let picture: Drawn | undefined;
@@ -75,6 +49,7 @@ export function render({
   const show = (): number => {
     const { k, f, nearest } = locate(times, now);
     picture!.show(k, f);
+    pointed.update(facts, picture!.view, k, f);
     const figure = now.toFixed(decimals);
     ui.slider.value = String(nearest);
     ui.readout.textContent = `${time.label} ${figure} ${time.unit}`.trim();
@@ -88,20 +63,52 @@ export function render({
     for (const listener of listeners) listener(now, nearest);
   };
   const switches = (): void => {
-    drawing.classList.toggle("lw-no-points", !ui.points.checked);
-    drawing.classList.toggle("lw-no-links", !ui.links.checked);
     for (const kind of ["areas", "traces", "centrodes"] as const) {
-      picture![kind].forEach((group, i) => group.classList.toggle("lw-hidden", !ui[kind][i]!.checked));
+      picture![kind].forEach((group, i) => group.classList.toggle("lw-hidden", !ui[kind][i]!.checked || stale(kind)));
     }
   };
+  /** Centrodes are recorded: those of a changed mechanism aren't known. */
+  const stale = (kind: string): boolean => kind === "centrodes" && original !== null;
   const layout = (): void => {
-    const width = Math.round(root.clientWidth) || 640;
-    const box = ui.centrodes.some((each) => each.checked) ? facts.wide : facts.box;
-    const most = clamp(window.innerHeight * 0.66, 280, 720);
-    picture = draw(drawing, facts, { width, most, box, original, before: picture ?? null }, say);
+    cancelAnimationFrame(drawn);
+    drawn = 0;
+    const { camera } = viewed;
+    const width = Math.round(stage.clientWidth) || 640;
+    const box = ui.centrodes.some((each) => each.checked) && !original ? facts.wide : facts.box;
+    for (const each of ui.centrodes) each.disabled = stale("centrodes");
+    const before = picture ?? null;
+    picture = draw(drawing, facts, { width, ...viewed.heights(), box, camera, seen, original, before }, say);
     switches();
     show();
+    row.update(facts, width);
+    viewed.update();
   };
+  /** Draws anew in the next frame, once however often it is asked. */
+  const redraw = (): void => {
+    drawn ||= requestAnimationFrame(layout);
+  };
+  const fitAll = (): void => {
+    viewed.home();
+    const fresh = survey(facts.scene);
+    const { box, wide, size } = original ? together(fresh, survey(original.scene)) : fresh;
+    facts = { ...facts, box, wide, size };
+    layout();
+  };
+  const pick = (x: number, y: number, within: number): Pin | null =>
+    pinAt(facts, picture!.view, times, now, onPicture(drawing, x, y), within);
+  const viewed = viewing({
+    root,
+    stage,
+    drawing,
+    say,
+    facts: () => facts,
+    fitted: () => picture!.fitted,
+    pick,
+    redraw,
+    fit: fitAll,
+  });
+  const row = showRow(root, facts, seen, say, layout);
+  const pointed = hover({ stage, picture: drawing, say, pick, changed: () => show() });
   const frames = playback(
     (seconds) => goTo(first + ((now - first + seconds * perSecond * Number(ui.speed.value)) % (last - first))),
     (playing) => {
@@ -121,16 +128,17 @@ export function render({
 
   ui.play.addEventListener("click", () => (frames.running ? pause() : play()));
   ui.slider.addEventListener("input", () => setIndex(Number(ui.slider.value)));
-  for (const box of [ui.points, ui.links, ...ui.areas, ...ui.traces]) box.addEventListener("change", switches);
+  for (const box of [...ui.areas, ...ui.traces]) box.addEventListener("change", switches);
   for (const box of ui.centrodes) box.addEventListener("change", layout); // they may need more room
   let width = 0;
   const watcher = new ResizeObserver(() => {
-    if (!root.clientWidth || root.clientWidth === width) return;
-    width = root.clientWidth;
+    if (!stage.clientWidth || stage.clientWidth === width) return;
+    width = stage.clientWidth;
     layout();
   });
   layout();
   watcher.observe(root);
+  root.addEventListener("fullscreenchange", layout);
   pause();
   if (autoplay && !window.matchMedia("(prefers-reduced-motion: reduce)").matches) play();
 
@@ -146,6 +154,11 @@ export function render({
       return now;
     },
     picture: drawing,
+    seen,
+    get scene() {
+      return facts.scene;
+    },
+    fit: fitAll,
     update(scene, before) {
       facts = survey(scene, facts);
       if (original?.scene !== before) original = before && survey(before, facts);
@@ -154,9 +167,7 @@ export function render({
     place(x, y) {
       return picture!.view.toWorld(onPicture(drawing, x, y));
     },
-    pick(x, y, within) {
-      return pinAt(facts, picture!.view, times, now, onPicture(drawing, x, y), within);
-    },
+    pick,
     on(event, callback) {
       if (event !== "time") throw new Error(`unknown event: ${event as string}`);
       listeners.add(callback);
@@ -164,6 +175,7 @@ export function render({
     },
     destroy() {
       pause();
+      cancelAnimationFrame(drawn);
       watcher.disconnect();
       listeners.clear();
       el.replaceChildren();

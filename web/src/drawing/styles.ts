@@ -1,16 +1,20 @@
 // Looks of a drawing and of its controls.
 
+import { ARROW_KINDS } from "./arrows.ts";
 import { PALETTE } from "./survey.ts";
 
 /** Colours on light and on dark ground; --lw-c0 to --lw-c7 tell links and curves apart. */
 const LIGHT =
   "--lw-ink:#1d2733;--lw-muted:#5b6876;--lw-paper:#fff;--lw-line:#d5dbe2;--lw-grid:#eef1f4;--lw-warn:#b3261e;" +
   "--lw-accent:#1f63a8;--lw-c0:#1f6fb5;--lw-c1:#c2571a;--lw-c2:#23835a;--lw-c3:#8250a8;--lw-c4:#9a7700;" +
-  "--lw-c5:#0d8495;--lw-c6:#b8336a;--lw-c7:#5d6b7a;";
+  "--lw-c5:#0d8495;--lw-c6:#b8336a;--lw-c7:#5d6b7a;" +
+  "--lw-velocity:#00796b;--lw-acceleration:#b45309;--lw-reaction:#c2185b;--lw-load:#7b1fa2;--lw-weight:#5d4037;";
 const DARK =
   "--lw-ink:#e6ebf0;--lw-muted:#9aa7b4;--lw-paper:#171d24;--lw-line:#3a4551;--lw-grid:#212932;--lw-warn:#ff8a80;" +
   "--lw-accent:#7db8f0;--lw-c0:#6cb2f0;--lw-c1:#f2935c;--lw-c2:#62c795;--lw-c3:#c39be6;--lw-c4:#dcb93f;" +
-  "--lw-c5:#55c7d6;--lw-c6:#ec7ba6;--lw-c7:#a3b1c0;";
+  "--lw-c5:#55c7d6;--lw-c6:#ec7ba6;--lw-c7:#a3b1c0;" +
+  "--lw-velocity:#4fd6c2;--lw-acceleration:#f5b056;--lw-reaction:#ff7fae;--lw-load:#d39bf0;--lw-weight:#c9a99c;";
+const KINDS = ARROW_KINDS.map((kind) => `.lw-${kind}{--a:var(--lw-${kind})}`).join("");
 const COLOURS = Array.from({ length: PALETTE }, (_, i) => `.lw-c${i}{--c:var(--lw-c${i})}`).join("");
 
 /** The style sheet of drawings; it stands in each, for widgets come without a page. */
@@ -24,7 +28,7 @@ ${COLOURS}
 .lw{color:var(--lw-ink);font:14px/1.4 system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue",Arial,
   "PingFang SC","Microsoft YaHei","Noto Sans CJK SC","Source Han Sans SC",sans-serif}
 .lw *{box-sizing:border-box}
-.lw svg.lw-drawing{display:block;width:100%;height:auto;background:var(--lw-paper);border-radius:6px}
+.lw svg.lw-drawing{touch-action:pan-y;display:block;width:100%;height:auto;background:var(--lw-paper);border-radius:6px}
 .lw-drawing text{font-size:12px;fill:var(--lw-muted)}
 .lw-grid path{stroke:var(--lw-grid);fill:none}
 .lw-grid path.lw-axis{stroke:var(--lw-line)}
@@ -70,7 +74,47 @@ ${COLOURS}
 .lw-drawing .lw-name{fill:var(--c);font-weight:400}
 .lw-drawing .lw-name.lw-slanted{font-style:italic}
 .lw-drawing .lw-note{fill:var(--lw-warn);font-size:14px;font-weight:600}
-.lw .lw-hidden,.lw-no-points .lw-label:not(.lw-name),.lw-no-links .lw-name{display:none}
+.lw .lw-hidden{display:none}
+${KINDS}
+.lw-drawing .lw-arrow,.lw-key .lw-arrow{stroke:var(--a);fill:var(--a);stroke-width:1.8;stroke-linejoin:round}
+.lw-dimension{stroke:var(--lw-muted);stroke-width:.9;fill:none}
+.lw-drawing .lw-measure{fill:var(--lw-muted);paint-order:stroke;stroke:var(--lw-paper);stroke-width:4px;
+  stroke-linejoin:round;font-variant-numeric:tabular-nums}
+.lw-stage{position:relative}
+.lw svg.lw-zoomed{touch-action:none}
+.lw-zoomed{cursor:move}
+.lw-zoomed.lw-grabbable{cursor:grab}
+.lw-panning,.lw-zoomed.lw-dragging{cursor:grabbing}
+.lw-tools{position:absolute;top:6px;right:6px;display:flex;gap:2px;pointer-events:none}
+.lw-tools button{pointer-events:auto;font:12px/1 inherit;font-family:inherit;color:var(--lw-muted);min-width:28px;
+  height:28px;padding:0 6px;
+  background:none;border:1px solid transparent;border-radius:4px;cursor:pointer}
+.lw-tools button:hover{border-color:var(--lw-line);color:var(--lw-ink)}
+.lw-tools svg{display:block;width:16px;height:16px;fill:none;stroke:currentColor;stroke-width:1.5}
+.lw-tools .lw-idle{opacity:.6}
+.lw-hover{position:absolute;display:grid;grid-template-columns:auto auto;gap:0 .6em;padding:4px 8px;border-radius:5px;
+  background:var(--lw-paper);border:1px solid var(--lw-line);box-shadow:0 1px 5px #0003;font-size:12px;
+  pointer-events:none;white-space:nowrap;font-variant-numeric:tabular-nums}
+.lw-hover[hidden],.lw-scale-of[hidden]{display:none}
+.lw-hover b{grid-column:1/-1}
+.lw-hover span:nth-of-type(odd){color:var(--lw-muted)}
+.lw-hover span:nth-of-type(even){text-align:right}
+.lw:fullscreen{background:var(--lw-paper);padding:12px;overflow:auto}
+.lw-scale-of output{white-space:nowrap}
+.lw-kind,.lw-scale-of{display:inline-flex;flex-wrap:wrap;align-items:center;gap:.4rem}
+.lw-kind .lw-swatch{background:var(--a)}
+.lw-scale-of input{width:70px;height:18px;margin:0;accent-color:var(--a)}
+.lw-key{overflow:visible}
+.lw .lw-chooser{position:relative;margin:0;padding:0;border:0;background:none}
+.lw .lw-chooser summary{cursor:pointer;padding:0;margin:0}
+.lw-chooser>div{position:absolute;z-index:2;bottom:1.7em;left:0;width:15rem;max-width:80vw;padding:8px;
+  background:var(--lw-paper);border:1px solid var(--lw-line);border-radius:6px;box-shadow:0 2px 10px #0003}
+.lw-chooser input[type="search"]{width:100%;font:inherit;color:inherit;background:var(--lw-paper);
+  border:1px solid var(--lw-line);border-radius:4px;padding:3px 6px}
+.lw-list{display:flex;flex-direction:column;gap:2px;max-height:13rem;overflow:auto;margin:6px 0}
+.lw-chooser button{font:inherit;color:inherit;background:none;border:1px solid var(--lw-line);border-radius:4px;
+  padding:1px 8px;margin-right:6px;cursor:pointer}
+@media (pointer:coarse){.lw-tools button{min-width:36px;height:36px}.lw-tools{top:0}}
 .lw-bar,.lw-options{display:flex;align-items:center;gap:.5rem .75rem;margin-top:.5rem;flex-wrap:wrap}
 .lw-options{gap:.35rem 1rem;color:var(--lw-muted);font-size:13px}
 .lw-options label{display:inline-flex;align-items:center;gap:.35rem;cursor:pointer}

@@ -1,7 +1,8 @@
 // What a drawing needs to know once: links by name, pins, guides, and the extents of all the motion.
 
 import { type AreaData, type Centrode, known, type LinkData, type Point, type Scene } from "../scene/data.ts";
-import { type Guide, guidesOf, onGuide } from "./guides.ts";
+import { type Arrow, arrowsOf, type Longest, longestOf } from "./arrows.ts";
+import { type Guide, guidesOf, inCylinder, onGuide } from "./guides.ts";
 import { type Pin, pinsOf } from "./pins.ts";
 import { place, poseOf } from "./poses.ts";
 
@@ -32,10 +33,16 @@ export interface Facts {
   readonly colour: ReadonlyMap<LinkData, number>;
   readonly centrodes: readonly Centrode[];
   readonly areas: readonly AreaData[];
+  readonly arrows: readonly Arrow[];
+  /** By which arrows are scaled: the longest of each kind. */
+  readonly longest: Longest;
 }
 
-/** `kept`: the extents of before, where the scene has only changed. */
-export function survey(scene: Scene, kept: Pick<Facts, "box" | "wide" | "size"> | null = null): Facts {
+/** What stays while a scene changes: the extents, and how arrows are scaled. */
+export type Kept = Pick<Facts, "box" | "wide" | "size" | "longest">;
+
+/** `kept`: what stays of before, where the scene has only changed. */
+export function survey(scene: Scene, kept: Kept | null = null): Facts {
   const times = scene.time.length ? scene.time : [0];
   const links = new Map(scene.links.map((link) => [link.name, link]));
   const guides = guidesOf(scene, links, times);
@@ -43,9 +50,22 @@ export function survey(scene: Scene, kept: Pick<Facts, "box" | "wide" | "size"> 
   const gaps = scene.open ?? times.map((_, k) => scene.links.some((link) => !poseOf(link, times, k)));
   const moving = scene.links.filter((link) => !link.fixed);
   const colour = new Map(moving.map((link, i) => [link, i % PALETTE]));
-  const pins = pinsOf(scene);
+  const pins = pinsOf(scene).filter((pin) => pin.joints.length || !ofCylinder(pin, guides));
   const { box, wide, size } = kept ?? extents(scene, guides, times);
-  return { scene, times, links, guides, pins, box, wide, size, gaps, colour, centrodes, areas };
+  const arrows = arrowsOf(scene, links);
+  const longest = kept?.longest ?? longestOf(arrows);
+  return { scene, times, links, guides, pins, box, wide, size, gaps, colour, centrodes, areas, arrows, longest };
+}
+
+/** The extents that hold two scenes. */
+export function together(a: Facts, b: Facts): Pick<Facts, "box" | "wide" | "size"> {
+  const union = (p: Box, q: Box): Box => ({
+    x0: Math.min(p.x0, q.x0),
+    x1: Math.max(p.x1, q.x1),
+    y0: Math.min(p.y0, q.y0),
+    y1: Math.max(p.y1, q.y1),
+  });
+  return { box: union(a.box, b.box), wide: union(a.wide, b.wide), size: Math.max(a.size, b.size) };
 }
 
 function extents(
@@ -91,6 +111,10 @@ function includeRows(box: Box, { x, y }: Pick<Centrode, "x" | "y">): void {
     if (each !== null && up !== null) include(box, [each, up]);
   }
 }
+
+/** Whether a point is the end of a barrel or rod, which the symbol of a cylinder shows. */
+const ofCylinder = ({ places }: Pin, guides: readonly Guide[]): boolean =>
+  places.some(({ link }) => inCylinder(guides, link));
 
 /** The class of a link's colour. */
 export const colourOf = (facts: Facts, link: LinkData): string => `lw-c${facts.colour.get(link)}`;

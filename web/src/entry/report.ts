@@ -20,7 +20,9 @@ const live = page.live ? new LiveModel(page.live, linkwrightPrograms) : null;
 const { time, plots } = page;
 const scene = live ? sceneOf(page.scene, live) : page.scene;
 const drawing = render({ model: scene, el: found("#drawing"), words: words.texts, time, autoplay: true });
-still({ model: scene, el: found("#still"), words: words.texts });
+/** The picture for paper shows what the one on the screen does. */
+const toPaper = () => still({ model: drawing.scene, el: found("#still"), words: words.texts, seen: drawing.seen });
+toPaper();
 const shown = charts(document.querySelectorAll<HTMLElement>("figure.plot"), {
   time,
   plots: live ? plotsOf(plots, live) : plots,
@@ -34,7 +36,13 @@ if (live) {
   const { texts, locked } = words;
   livePage({ live, drawing, charts: shown, scene: page.scene, plots, time, texts, locked });
 }
-whenPrinted(shown);
+whenPrinted({
+  toPaper() {
+    toPaper();
+    shown.toPaper();
+  },
+  toScreen: () => shown.toScreen(),
+});
 copyButtons(
   (button) => button.dataset["copy"] ?? "",
   () => words.texts["report.copied"] ?? "",

@@ -62,7 +62,8 @@ export function dragging({ live, drawing, held, shapes, said }: DragOptions): vo
     return data.times[best]!;
   };
   picture.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0) return;
+    if (!event.isPrimary) return end(); // a second finger zooms
+    if (event.button !== 0 || event.shiftKey) return;
     point = pick(event);
     if (point < 0) return;
     event.preventDefault();

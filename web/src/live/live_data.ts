@@ -33,6 +33,8 @@ export interface LiveData {
   /** The links whose poses come first among the outputs, four rows each. */
   readonly poses: readonly string[];
   readonly signals: readonly string[];
+  /** Other rows, behind the signals, that arrows name. */
+  readonly arrow_rows: readonly string[];
   readonly sizes: readonly number[];
   readonly wrapped: readonly number[];
   readonly probes: readonly (number | null)[];

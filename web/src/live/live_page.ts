@@ -40,7 +40,7 @@ export function livePage({ live, drawing, charts, scene, plots, time, texts, loc
   let resting = 0;
   /** The picture for paper follows when the numbers rest. */
   const toPaper = (now: Scene): void => {
-    still({ model: now, el: found("#still"), words: texts });
+    still({ model: now, el: found("#still"), words: texts, seen: drawing.seen });
     caption.textContent = live.changed ? `◐ ${say("live.changed")}. ${captioned}` : captioned;
   };
   let waiting = false;

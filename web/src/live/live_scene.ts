@@ -32,7 +32,19 @@ export function sceneOf(base: Scene, live: LiveModel, motion: Motion = live.moti
     y: scaled(live.signal(`${name}.y`, motion)!, data.length),
   }));
   const time = data.times.map((each) => each / data.second);
-  return { ...base, links, joints, traces, time, open: openings(motion, time.length) };
+  const values = valuesOf(base, live, motion);
+  return { ...base, links, joints, traces, time, values, open: openings(motion, time.length) };
+}
+
+/** The rows that arrows name, in the page's units. */
+function valuesOf({ arrows = [] }: Scene, live: LiveModel, motion: Motion): Record<string, Values> {
+  const { signals, arrow_rows, sizes, poses } = live.data;
+  const found: Record<string, Values> = {};
+  const named = new Set(arrows.flatMap(({ rows, places = [] }) => [...rows, ...places]));
+  for (const [i, label] of [...signals, ...arrow_rows].entries()) {
+    if (named.has(label)) found[label] = scaled(motion.rows[4 * poses.length + i]!, sizes[i]!);
+  }
+  return found;
 }
 
 function poseOf(link: LinkData, poses: readonly string[], rows: readonly Float64Array[], size: number): PoseRows {

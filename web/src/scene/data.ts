@@ -80,6 +80,19 @@ export interface AreaData {
   readonly rings: readonly (readonly Point[])[];
 }
 
+export type ArrowKind = "velocity" | "acceleration" | "reaction" | "load" | "weight";
+
+/** An arrow by the labels of the rows of its vector, in `unit`; it begins at a point of a link, or at other rows. */
+export interface ArrowData {
+  readonly kind: ArrowKind;
+  /** What it belongs to: a point, a reaction, a load, a link. */
+  readonly name: string;
+  readonly unit: string;
+  readonly rows: Pair<string>;
+  readonly at?: Pair<string>;
+  readonly places?: Pair<string>;
+}
+
 export interface Scene {
   readonly length_unit: string;
   /** One entry per pose, increasing. */
@@ -90,6 +103,11 @@ export interface Scene {
   readonly centrodes?: readonly Centrode[];
   readonly springs?: readonly SpringData[];
   readonly areas?: readonly AreaData[];
+  /** The links that drives turn, each with the link against which. */
+  readonly driven?: readonly Pair<string>[];
+  readonly arrows?: readonly ArrowData[];
+  /** The rows that arrows name, where they are known. */
+  readonly values?: Readonly<Record<string, Values>>;
   /** By sample: is it open, though its links have poses? Without this, where a link has none. */
   readonly open?: readonly boolean[];
 }

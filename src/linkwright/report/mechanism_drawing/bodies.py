@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.report.data import LinkData
-from linkwright.report.mechanism_drawing.joints import HEIGHT, LENGTH, Guide, Side
+from linkwright.report.mechanism_drawing.joints import HEIGHT, LENGTH, Guide, Side, in_cylinder
 from linkwright.report.mechanism_drawing.shapes import UNSEEN, hull, line, outline
 from linkwright.report.mechanism_drawing.survey import Survey
 from linkwright.report.mechanism_drawing.view import View
@@ -69,7 +69,8 @@ def _layers(link: LinkData, survey: Survey, view: View, r: float, k: int, unseen
     for shape in link.get("outlines", ()):
         found.slots.append(("lw-slot lw-outline", line(placed(np.array(shape, float)), closed=True, unseen=unseen)))
     ring = hull(np.array(list(link["points"].values()), float).reshape(-1, 2) * view.k) / view.k
-    if len(ring) > 1 or not sliding:
+    shown = len(ring) > 1 or not sliding
+    if len(ring) > 2 or (shown and not in_cylinder(survey.guides, link["name"])):
         found.bodies.append(("lw-body", outline(placed(ring), r)))
     return found
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import cos, inf, pi, sin
 
@@ -22,6 +22,11 @@ class Pin:
     name: str
     places: list[tuple[str, str]]
     joined: bool = False
+
+
+def in_cylinder(guides: Sequence[Guide], link: str) -> bool:
+    """Whether a link is barrel or rod of a cylinder, whose symbol stands for what lies on its line."""
+    return any(one.cylinder and link in (one.guide.link, one.block.link) for one in guides)
 
 
 def pins_of(scene: Scene) -> list[Pin]:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.report.data import LinkData, Scene, Values
-from linkwright.report.mechanism_drawing.joints import Guide, Pin, guides_of, pins_of
+from linkwright.report.mechanism_drawing.joints import Guide, Pin, guides_of, in_cylinder, pins_of
 from linkwright.report.mechanism_drawing.poses import Poses
 
 Array = NDArray[np.float64]
@@ -55,7 +55,8 @@ def survey(scene: Scene) -> Survey:
         places = np.array([[-1.0, -1.0], [1.0, 1.0]])
     (x0, y0), (x1, y1) = places.min(axis=0).tolist(), places.max(axis=0).tolist()
     known = np.array([one.known for one in poses.values()]).all(axis=0) if poses else np.ones(count, bool)
-    return Survey(scene, poses, pins_of(scene), guides, (x0, y0, x1, y1), np.flatnonzero(known))
+    pins = [pin for pin in pins_of(scene) if pin.joined or not in_cylinder(guides, pin.places[0][0])]
+    return Survey(scene, poses, pins, guides, (x0, y0, x1, y1), np.flatnonzero(known))
 
 
 def _reached(scene: Scene, poses: dict[str, Poses], guides: Sequence[Guide]) -> Iterator[Array]:

@@ -1,0 +1,71 @@
+"""Output rows of forces as pictures need them: a vector, and the place where it acts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from linkwright.graph.rows import ActionRow, Row
+from linkwright.notation import Scalar, Wrench
+
+if TYPE_CHECKING:
+    from linkwright.graph.graph import Graph
+    from linkwright.graph.view import View
+
+FORCE = ("x", "y")
+PLACE = ("at_x", "at_y")
+
+
+@dataclass(frozen=True)
+class AppliedForce(ActionRow):
+    """Of a force that an element applies: its ``x`` or ``y`` (N), or where it acts, ``at_x`` or ``at_y`` (m).
+
+    ``index`` is its number among the element's wrenches, one for each link.
+    """
+
+    section: str
+    name: str
+    index: int
+    part: str
+    called = "{section}/{name}/{index}/{part}"
+
+    def order(self, graph: Graph) -> int:
+        own: int = graph.actions.at[self.section, self.name].kind.order
+        return max(graph.actions.order, own)
+
+    def expression(self, view: View) -> Scalar:
+        one = view.graph.actions.at[self.section, self.name]
+        _, wrench = [*one.kind.wrenches(view, one.name, one.entry)][self.index]
+        return _part(wrench, self.part)
+
+
+@dataclass(frozen=True)
+class Weight(Row):
+    """The ``x`` or ``y`` of a link's weight (N), which acts at its centre of mass."""
+
+    link: str
+    part: str
+    called = "weight/{link}/{part}"
+
+    def expression(self, view: View) -> Scalar:
+        mass, _, _ = view.geometry.mass(self.link)
+        return mass * getattr(view.geometry.gravity(), self.part)
+
+
+@dataclass(frozen=True)
+class ReactionPlace(Row):
+    """Where the reaction of a joint on a link is stated: the place's ``x`` or ``y`` (m)."""
+
+    joint: str
+    link: str
+    part: str
+    called = "place/{joint}/{link}/{part}"
+
+    def expression(self, view: View) -> Scalar:
+        kind = view.graph.structure.topology.kind_of(self.joint)
+        return getattr(kind.reference(view.geometry, self.joint, self.link, view.bodies), self.part)
+
+
+def _part(wrench: Wrench, part: str) -> Scalar:
+    vector = wrench.about if part.startswith("at_") else wrench.force
+    return getattr(vector, part[-1])
