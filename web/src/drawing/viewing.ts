@@ -75,7 +75,9 @@ export function viewing({ root, stage, drawing, say, facts, fitted, pick, redraw
       camera = HOME;
     },
     heights() {
-      if (!whole()) return { most: clamp(window.innerHeight * 0.66, 280, 720), least: 200 };
+      // On a phone the drawing stays in sight above the rest of the page.
+      const share = window.innerWidth < 760 ? 0.42 : 0.66;
+      if (!whole()) return { most: clamp(window.innerHeight * share, 240, 720), least: 200 };
       const high = room();
       return { most: high, least: high };
     },
