@@ -170,13 +170,30 @@ class LiveNumber(TypedDict):
     end: int
 
 
+class SignalOwner(TypedDict):
+    """The element of the next ``count`` signals: its ``kind``, and ``of``, its names, of a point those of its links."""
+
+    kind: str
+    of: str
+    count: int
+
+
+class MeasuredSignal(TypedDict):
+    """The signal that a measure is of. ``by``: its value, the negative one, its magnitude, or that of the vector of which
+    it is the x component. ``level``: whether the measure's limits are limits of these values."""
+
+    signal: str
+    by: str
+    level: bool
+
+
 class LiveData(TypedDict):
     """What the page needs to compute all values itself. Times in s, values in SI.
 
     ``code``: the programs as JavaScript. ``program``: what joins them. ``length`` and ``second``: SI sizes of the
     report's units. ``poses``: the links whose poses come first among the programs' outputs, four rows each;
-    ``signals``: the names of the rows behind them, with the ``sizes`` of their units; ``wrapped`` are the numbers of
-    those that are angles without whole turns. ``probes``: a value of each row, which the page must find too, but for
+    ``signals``: the names of the rows behind them, with their ``units``, the ``sizes`` of these, and the ``owners``;
+    ``wrapped`` are the numbers of those that are angles without whole turns; ``axes`` can stand in place of the time. ``probes``: a value of each row, which the page must find too, but for
     round-off of its ``scales``. ``measures``: what is taken of the samples.
     ``numbers``: what can be moved, and the ``lines`` of the file where it stands, by their number. ``drives`` and
     ``parameters`` by their number.
@@ -190,10 +207,14 @@ class LiveData(TypedDict):
     poses: Sequence[str]
     signals: Sequence[str]
     sizes: Sequence[float]
+    units: Sequence[str]
+    owners: Sequence[SignalOwner]
+    axes: Sequence[str]
     wrapped: Sequence[int]
     probes: Values
     scales: Sequence[float]
     measures: Sequence[Mapping[str, object]]
+    measured: Sequence[MeasuredSignal | None]
     numbers: Sequence[LiveNumber]
     lines: Mapping[str, str]
     drives: Sequence[str]
@@ -203,7 +224,7 @@ class LiveData(TypedDict):
 class ReportData(TypedDict):
     """Everything on the page. Sentences: ``source``, what the mechanism is taken from; ``origin``, model file, hash,
     date and version. ``sections``: what the studies show. With ``live`` the page computes the values of scene and plots
-    itself."""
+    itself; ``first`` are the numbers of the plots that it shows unfolded."""
 
     title: str
     subtitle: str
@@ -213,6 +234,7 @@ class ReportData(TypedDict):
     time: Time
     scene: Scene
     plots: Sequence[Plot]
+    first: NotRequired[Sequence[int]]
     sections: Sequence[Section]
     structure: Sequence[Fact]
     live: NotRequired[LiveData | None]

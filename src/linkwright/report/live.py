@@ -22,6 +22,7 @@ from linkwright.model.live_numbers import live_numbers
 from linkwright.model.named_numbers import NamedNumbers, named_numbers
 from linkwright.presentation.json_numbers import known
 from linkwright.report.data import LiveData, LiveNumber, Plot, Scene
+from linkwright.report.signal_list import measured_signals, signal_list
 from linkwright.results import Result
 from linkwright.studies.drive_sweep import Sweep
 
@@ -49,7 +50,8 @@ def live_data(document: Document, text: str, result: Result, scene: Scene, plots
         return None
     names = dict.fromkeys(f"{trace['name']}.{axis}" for trace in scene["traces"] for axis in "xy")
     names |= dict.fromkeys(series["name"] for plot in plots for series in plot["series"])
-    signals, quantities = [*names], recorded.quantities
+    listed, quantities = signal_list(result, names), recorded.quantities
+    signals = [*listed.names]
     measures = live_measures(compiled)
     measured = live_rows(measures)
     made = page_programs(compiled, [*compiled.graph.pose_rows, *signals], measured)
@@ -64,11 +66,15 @@ def live_data(document: Document, text: str, result: Result, scene: Scene, plots
         "second": quantities.unit_of(TIME)[1],
         "poses": list(compiled.structure.topology.moving),
         "signals": signals,
-        "sizes": [quantities.unit_of(result.dimension(name))[1] for name in signals],
+        "sizes": listed.sizes,
+        "units": listed.units,
+        "owners": listed.owners,
+        "axes": listed.axes,
         "wrapped": [i for i, name in enumerate(signals) if recorded.graph.wrapped(name)],
         "probes": [known(float(row[i * PROBE % result.t.size])) for i, row in enumerate(values)],
         "scales": _scales(values, [*("pose" for _ in compiled.graph.pose_rows), *map(result.dimension, signals)]),
         "measures": [one.data({row: i for i, row in enumerate(measured)}) for one in measures],
+        "measured": measured_signals((one.measure for one in measures), listed.names),
         "numbers": numbers,
         "lines": {str(one["line"]): lines[one["line"] - 1] for one in numbers if one["line"]},
         "drives": list(compiled.graph.drives),

@@ -1,5 +1,7 @@
 // Lines that are told apart in light, in dark and in black and white.
 
+import { html } from "../drawing/elements.ts";
+
 const DASHES = [[], [7, 3], [2, 3], [10, 3, 2, 3], [5, 2, 1, 2, 1, 2]] as const;
 const COLOURS = 8;
 
@@ -17,3 +19,14 @@ export const coloursAt =
   (element: Element): Colour =>
   (name) =>
     getComputedStyle(element).getPropertyValue(`--lw-${name}`).trim();
+
+/** The colours in light, whatever the page's are. */
+export function lightColours(): Colour {
+  const outer = html("div", { "data-theme": "light", hidden: "" }, document.body);
+  const style = getComputedStyle(html("div", { class: "lw" }, outer));
+  const found = new Map<string, string>();
+  const names = ["ink", "muted", "paper", "line", "grid", "warn", ...Array.from({ length: COLOURS }, (_, i) => colourName(i))];
+  for (const name of names) found.set(name, style.getPropertyValue(`--lw-${name}`).trim());
+  outer.remove();
+  return (name) => found.get(name) ?? "";
+}

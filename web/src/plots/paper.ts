@@ -2,8 +2,10 @@
 
 import uPlot from "uplot";
 import { html } from "../drawing/elements.ts";
-import type { Chart } from "./chart.ts";
-import { chartOptions, columns, type Shared } from "./chart_options.ts";
+import { chartOptions, columns } from "./chart_options.ts";
+import type { Curves } from "./curves.ts";
+import type { Colour } from "./looks.ts";
+import { polarSvg } from "./polar.ts";
 
 const PAPER = { width: 336, height: 180, scale: 3 };
 
@@ -12,10 +14,15 @@ export interface PaperChart {
 }
 
 /** Drawn behind the one on the screen, in the colours of the moment. */
-export function paperChart({ plot, area }: Chart, shared: Shared): PaperChart {
+export function paperChart(area: Element, curves: Curves, window: readonly [number, number], colour: Colour): PaperChart {
   const paper = html("div", { class: "chart-paper" });
   area.after(paper);
-  const uplot = new uPlot(chartOptions(plot, shared, PAPER), columns(plot, shared.time), html("div"));
+  if (curves.vectors.length) {
+    const { width, height } = PAPER;
+    paper.innerHTML = `<svg viewBox="0 0 ${width} ${height}">${polarSvg(curves, null, { width, height, colour })}</svg>`;
+    return { remove: () => paper.remove() };
+  }
+  const uplot = new uPlot(chartOptions({ curves, window, index: 0 }, colour, PAPER), columns(curves), html("div"));
   paper.append(uplot.ctx.canvas);
   return {
     remove() {

@@ -1,0 +1,166 @@
+// A plot on the page: its head with tools, its curves in the view that its reader chose, its legend.
+
+import { html } from "../drawing/elements.ts";
+import type { Say } from "../drawing/words.ts";
+import { found } from "../panels/found.ts";
+import { type Chart, chart } from "./chart.ts";
+import { chartKey } from "./chart_options.ts";
+import { type Choice, unitsOf, viewOf, without } from "./choice.ts";
+import { type Curves, curvesOf, type Horizontal } from "./curves.ts";
+import { figure } from "./figure.ts";
+import { legend } from "./legend.ts";
+import type { Colour } from "./looks.ts";
+import { polarChart } from "./polar_chart.ts";
+import type { Signals } from "./signals.ts";
+
+/** What the plots of a page share. */
+export interface Board {
+  readonly signals: Signals;
+  readonly times: readonly number[];
+  readonly colour: Colour;
+  readonly say: Say;
+  /** The horizontal axis, what is in sight of it, the sample at the cursor. */
+  readonly x: Horizontal;
+  readonly window: readonly [number, number];
+  readonly index: number;
+  goTo(time: number): void;
+  pointed(chart: Chart): void;
+}
+
+export interface Card {
+  readonly box: HTMLElement;
+  choice: Choice;
+  readonly chart: Chart | null;
+  /** What it shows now, which it computes where it isn't in sight. */
+  curves(): Curves;
+  shown(curve: number): boolean;
+  /** Another choice; `changed`: its values are others. */
+  update(choice?: Choice): void;
+  follow(): void;
+  /** Whether it is in sight: until then it does nothing. */
+  seen(yes: boolean): void;
+  zoom(): void;
+  sized(): void;
+  remove(): void;
+}
+
+/** `title`: empty for that of its curves; `label`: for those who don't see it; `edited`: a reader chose something. */
+export function card(
+  box: HTMLElement,
+  first: Choice,
+  { title, label, board, edited }: { title: string; label: string; board: Board; edited: ((choice: Choice) => void) | null },
+): Card {
+  const { signals, say } = board;
+  const area = found<HTMLElement>(".chart", box);
+  const values = found(".legend", box);
+  let outputs: HTMLOutputElement[] = [];
+  let curves: Curves | null = null;
+  let drawn: Chart | null = null;
+  let polar: ReturnType<typeof polarChart> | null = null;
+  let key = "";
+  let [inSight, stale] = [false, true];
+  let hidden = new Set<number>();
+
+  const clear = (): void => {
+    drawn?.destroy();
+    polar?.remove();
+    [drawn, polar] = [null, null];
+  };
+  const legends = (now: Curves): void => {
+    hidden = new Set();
+    const two = now.units.length > 1;
+    outputs = legend(values, now.curves.map(({ name, unit }) => ({ name, unit: two ? unit : "" })), {
+      toggle(i, show) {
+        if (show) hidden.delete(i);
+        else hidden.add(i);
+        drawn?.uplot.setSeries(i + 1, { show });
+      },
+      remove:
+        edited && now.curves.length > 1
+          ? (i) => {
+              const { name, signals: of } = now.curves[i]!;
+              const text = say("plots.remove_signal").replace("{name}", () => name);
+              return { label: text, act: () => edited(without(made.choice, of[0]!)) };
+            }
+          : undefined,
+    });
+  };
+  const draw = (): void => {
+    stale = false;
+    const { choice } = made;
+    curves = curvesOf(choice, title, signals, board.x, board.times);
+    const view = choice.open ? viewOf(choice) : "folded";
+    const now = `${view} ${chartKey(curves)}`;
+    if (now !== key) {
+      clear();
+      key = now;
+      legends(curves);
+      if (view === "polar") polar = polarChart(area, curves, label || curves.title);
+      else if (view !== "folded") {
+        const { colour, window } = board;
+        drawn = chart(area, curves, label || curves.title, { colour, window, goTo: (time) => board.goTo(time) });
+        board.pointed(drawn);
+      }
+    } else {
+      drawn?.show(curves);
+      polar?.show(curves);
+    }
+    follow();
+  };
+  const follow = (): void => {
+    if (!inSight && !drawn) return;
+    drawn?.follow(board.index);
+    polar?.follow(board.index);
+    outputs.forEach((output, i) => {
+      output.textContent = figure(curves?.curves[i]?.values[board.index]);
+    });
+  };
+  const made: Card = {
+    box,
+    choice: first,
+    get chart() {
+      return drawn;
+    },
+    curves: () => (curves && !stale ? curves : curvesOf(made.choice, title, signals, board.x, board.times)),
+    shown: (i) => !hidden.has(i),
+    update(choice = made.choice) {
+      made.choice = choice;
+      box.classList.toggle("folded", !choice.open);
+      stale = true;
+      if (inSight) draw();
+    },
+    follow,
+    seen(yes) {
+      inSight = yes;
+      if (yes && stale) draw();
+      else if (yes) follow();
+    },
+    zoom: () => drawn?.zoom(board.window),
+    sized() {
+      drawn?.sized();
+      if (polar && curves) polar.show(curves);
+    },
+    remove() {
+      clear();
+      box.remove();
+    },
+  };
+  box.classList.toggle("folded", !first.open);
+  return made;
+}
+
+/** The figure of a plot that a reader adds. */
+export function figureOf(title: string): HTMLElement {
+  const box = html("figure", { class: "plot" });
+  html("figcaption", {}, box, title);
+  html("div", { class: "chart" }, box);
+  html("div", { class: "legend lw" }, box);
+  return box;
+}
+
+/** Which signals can join those of a plot: of its units, or of one more where it has one. */
+export function joins(choice: Choice, signals: Signals): (name: string) => boolean {
+  const units = unitsOf(choice.signals, signals.unit);
+  return (name) => !choice.signals.includes(name) && (units.length < 2 || units.includes(signals.unit(name)));
+}
+
