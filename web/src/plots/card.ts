@@ -66,6 +66,11 @@ export function card(
     polar?.remove();
     [drawn, polar] = [null, null];
   };
+  /** Writes the title of a plot that a reader added. */
+  const name = ({ title, units }: Curves): void => {
+    found(".added", box).textContent = title;
+    found(".unit", box).textContent = ` ${units.join(", ")}`;
+  };
   const legends = (now: Curves): void => {
     hidden = new Set();
     const two = now.units.length > 1;
@@ -89,6 +94,7 @@ export function card(
     stale = false;
     const { choice } = made;
     curves = curvesOf(choice, title, signals, board.x, board.times);
+    if (!title) name(curves);
     const view = choice.open ? viewOf(choice) : "folded";
     const now = `${view} ${chartKey(curves)}`;
     if (now !== key) {
@@ -150,9 +156,11 @@ export function card(
 }
 
 /** The figure of a plot that a reader adds. */
-export function figureOf(title: string): HTMLElement {
+export function figureOf(): HTMLElement {
   const box = html("figure", { class: "plot" });
-  html("figcaption", {}, box, title);
+  const head = html("figcaption", {}, box);
+  html("span", { class: "added" }, head);
+  html("span", { class: "unit" }, head);
   html("div", { class: "chart" }, box);
   html("div", { class: "legend lw" }, box);
   return box;

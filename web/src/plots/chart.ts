@@ -31,18 +31,22 @@ export function chart(
   const size = { width: area.clientWidth || 400, height: HEIGHT };
   const options = chartOptions(shown, colour, size);
   let layer: MarkLayer | null = null;
-  options.hooks = { ...options.hooks, draw: [(u) => layer?.update(u, shown.curves)] };
-  const uplot = new uPlot(options, columns(curves), area);
+  options.hooks = {
+    ...options.hooks,
+    draw: [(u) => layer?.update(u, shown.curves)],
+    ready: [() => follow(shown.index)], // places on axes are known from now on
+  };
+  const uplot: uPlot = new uPlot(options, columns(curves), area);
   layer = markLayer(uplot.over, goTo);
   uplot.over.setAttribute("role", "img");
   uplot.over.setAttribute("aria-label", label);
-  const follow = (index: number): void => {
+  function follow(index: number): void {
     shown.index = index;
     const place = shown.curves.x.values[index];
     const left = place == null ? -10 : uplot.valToPos(place, "x");
-    const inside = left >= 0 && left <= uplot.over.clientWidth;
+    const inside = left >= 0 && left <= uplot.bbox.width / devicePixelRatio;
     uplot.setCursor({ left: inside ? left : -10, top: 0 }, false);
-  };
+  }
   return {
     uplot,
     key: chartKey(curves),

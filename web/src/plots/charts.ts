@@ -141,7 +141,7 @@ export function charts(options: ChartsOptions): Charts {
     return made;
   };
   const addOther = (choice: Choice): HTMLElement => {
-    const box = figureOf("");
+    const box = figureOf();
     choosing!.top.append(box);
     add(box, choice, "", "");
     return box;

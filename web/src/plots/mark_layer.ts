@@ -14,7 +14,7 @@ export function markLayer(over: HTMLElement, goTo: (time: number) => void): Mark
   let made = "";
   let marks: readonly Mark[] = [];
   const build = (curves: Curves): void => {
-    root ??= svg("svg", { class: "plot-marks" }, over);
+    root ??= svg("svg", { class: "plot-marks lw" }, over);
     root.replaceChildren();
     for (const level of curves.levels) {
       const line = svg("g", { class: "level" }, root);
@@ -45,7 +45,8 @@ export function markLayer(over: HTMLElement, goTo: (time: number) => void): Mark
       if (key !== made && (marks.length || curves.levels.length || root)) build(curves);
       made = key;
       if (!root) return;
-      const { clientWidth: width, clientHeight: height } = over;
+      // Not those of the element, which would lay out the page anew.
+      const [width, height] = [u.bbox.width / devicePixelRatio, u.bbox.height / devicePixelRatio];
       const groups = [...root.children] as SVGGElement[];
       curves.levels.forEach(({ value, right }, i) => {
         const y = u.valToPos(value, right ? "right" : "y");

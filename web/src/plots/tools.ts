@@ -71,7 +71,11 @@ export function tools(card: Card, { signals, say, entries, edited, removed, save
     });
   }
   menu(bar, say("plots.export"), save);
-  if (edited) button(bar, say("plots.remove"), SIGNS.remove).addEventListener("click", removed);
+  if (edited) {
+    const gone = button(bar, say("plots.remove"), SIGNS.remove);
+    gone.classList.add("remove");
+    gone.addEventListener("click", removed);
+  }
   const update = (): void => {
     const { choice } = card;
     view.hidden = !areVectors(choice.signals) || !choice.open;
