@@ -7,8 +7,12 @@ function fit({ name, unit, element }: Listed, word: string): number | null {
   const text = name.toLowerCase();
   if (text === word) return 0;
   if (text.startsWith(word)) return 1;
-  const at = text.indexOf(word);
-  if (at >= 0) return /[\p{L}\p{N}_]/u.test(text[at - 1]!) ? 3 : 2;
+  let inside = false;
+  for (let at = text.indexOf(word); at >= 0; at = text.indexOf(word, at + 1)) {
+    if (!/[\p{L}\p{N}_]/u.test(text[at - 1]!)) return 2;
+    inside = true;
+  }
+  if (inside) return 3;
   if (element.toLowerCase().includes(word)) return 4;
   return unit.toLowerCase() === word ? 4 : null;
 }
