@@ -78,8 +78,8 @@ def test_the_sources_keep_the_habits_of_the_house() -> None:
 def test_scripts_ask_for_the_words_that_the_page_gives() -> None:
     """By `say("...")` or by the whole key."""
     text = "".join(path.read_text(encoding="utf-8") for path in SOURCES if path.parent.name != "test")
-    asked = {f"report.{key}" for call in re.findall(r"\bsay\((.*?)\)", text) for key in re.findall(r'"(\w+)"', call)}
-    asked |= set(re.findall(r'"(report\.\w+)"', text))
+    asked = {f"report.{key}" for call in re.findall(r"\bsay\((.*?)\)", text) for key in re.findall(r'"([\w.]+)"', call)}
+    asked |= set(re.findall(r'"(report\.[\w.]+)"', text))
     assert asked == set(SCRIPT_WORDS)
 
 

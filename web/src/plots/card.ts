@@ -1,31 +1,16 @@
 // A plot on the page: its head with tools, its curves in the view that its reader chose, its legend.
 
 import { html } from "../drawing/elements.ts";
-import type { Say } from "../drawing/words.ts";
 import { found } from "../panels/found.ts";
+import type { Board } from "./board.ts";
 import { type Chart, chart } from "./chart.ts";
 import { chartKey } from "./chart_options.ts";
 import { type Choice, unitsOf, viewOf, without } from "./choice.ts";
-import { type Curves, curvesOf, type Horizontal } from "./curves.ts";
+import { type Curves, curvesOf } from "./curves.ts";
 import { figure } from "./figure.ts";
 import { legend } from "./legend.ts";
-import type { Colour } from "./looks.ts";
 import { polarChart } from "./polar_chart.ts";
 import type { Signals } from "./signals.ts";
-
-/** What the plots of a page share. */
-export interface Board {
-  readonly signals: Signals;
-  readonly times: readonly number[];
-  readonly colour: Colour;
-  readonly say: Say;
-  /** The horizontal axis, what is in sight of it, the sample at the cursor. */
-  readonly x: Horizontal;
-  readonly window: readonly [number, number];
-  readonly index: number;
-  goTo(time: number): void;
-  pointed(chart: Chart): void;
-}
 
 export interface Card {
   readonly box: HTMLElement;
@@ -44,11 +29,20 @@ export interface Card {
   remove(): void;
 }
 
-/** `title`: empty for that of its curves; `label`: for those who don't see it; `edited`: a reader chose something. */
+export interface CardOptions {
+  /** Empty for that of its curves. */
+  readonly title: string;
+  /** For those who don't see it. */
+  readonly label: string;
+  readonly board: Board;
+  /** A reader chose something; null where nothing can be chosen. */
+  readonly edited: ((choice: Choice) => void) | null;
+}
+
 export function card(
   box: HTMLElement,
   first: Choice,
-  { title, label, board, edited }: { title: string; label: string; board: Board; edited: ((choice: Choice) => void) | null },
+  { title, label, board, edited }: CardOptions,
 ): Card {
   const { signals, say } = board;
   const area = found<HTMLElement>(".chart", box);

@@ -52,6 +52,7 @@ export function chartOptions(shown: Shown, colour: Colour, { width, height, scal
   const unitLabel = (i: number): Partial<uPlot.Axis> =>
     units.length > 1 ? { label: units[i]!, labelSize: 15 * scale, labelGap: 0 } : {};
   const vertical = { ...axis, space: 25 * scale, size: longest };
+  const other: uPlot.Axis = { ...vertical, ...unitLabel(1), scale: "right", side: 1, grid: { show: false } };
   return {
     width: width * scale,
     height: height * scale,
@@ -73,7 +74,7 @@ export function chartOptions(shown: Shown, colour: Colour, { width, height, scal
     axes: [
       { ...axis, space: 46 * scale, size: 22 * scale, labelSize: 16 * scale, labelGap: 0, label: x.label },
       { ...vertical, ...unitLabel(0) },
-      ...(units.length > 1 ? [{ ...vertical, ...unitLabel(1), scale: "right", side: 1, grid: { show: false } } as uPlot.Axis] : []),
+      ...(units.length > 1 ? [other] : []),
     ],
     hooks: { drawAxes: [(u) => ghosts(u, shown.curves, colour, scale)] },
     series: [

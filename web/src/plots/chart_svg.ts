@@ -38,14 +38,15 @@ export function chartSvg(curves: Curves, options: PictureOptions): string {
   let out = element("rect", { width, height: total, fill: colour("paper") });
   out += text(curves.title + unit, { x: 10, y: 18, "font-size": 13, "font-weight": 600, fill: colour("ink") });
   if (note) out += text(note, { x: 10, y: TITLE + 8, "font-size": 11, "font-weight": 600, fill: colour("warn") });
-  const inner = polar
-    ? `<svg x="10" y="${top}" width="${width - 20}" height="${height - 8}">${polarSvg(curves, options.index, { ...options, width: width - 20, height: height - 8 })}</svg>`
-    : axes(curves, options);
-  out += polar ? inner : `<g transform="translate(0 ${top})">${inner}</g>`;
+  if (polar) {
+    const inner = { ...options, width: width - 20, height: height - 8 };
+    const place = `x="10" y="${top}" width="${inner.width}" height="${inner.height}"`;
+    out += `<svg ${place}>${polarSvg(curves, options.index, inner)}</svg>`;
+  } else out += `<g transform="translate(0 ${top})">${axes(curves, options)}</g>`;
   rows.forEach((row, r) => {
     const y = top + height + r * LINE + 10;
     for (const { i, label, x } of row) {
-      out += element("path", { d: `M${x} ${y - 4}h26`, stroke: colour(colourName(i)), "stroke-width": 2, "stroke-dasharray": dash(i).join(" ") });
+      out += element("path", { d: `M${x} ${y - 4}h26`, ...line(i, colour), "stroke-width": 2 });
       out += text(label, { x: x + 32, y, "font-size": 11, fill: colour("ink") });
     }
   });
@@ -64,10 +65,16 @@ function axes(curves: Curves, { width, height, colour, window, shown }: PictureO
   const ends = [side(false), ...(two ? [side(true)] : [])];
   const bottom = height - BOTTOM;
   const marks = ends.map(([low, high]) => ticks(low, high, Math.max(2, Math.round(bottom / 38))));
-  const room = marks.map((each) => Math.max(...each.map((value) => tick(value).length), 3) * LETTER + 12 + (two ? 15 : 0));
+  const longest = marks.map((each) => Math.max(...each.map((value) => tick(value).length), 3));
+  const room = longest.map((count) => count * LETTER + 16 + (two ? 15 : 0));
   const [left, right] = [room[0]!, width - (two ? room[1]! : 14)];
-  const across = (value: number): number => left + ((value - window[0]) / (window[1] - window[0] || 1)) * (right - left);
-  const up = (i: number) => (value: number): number => bottom - ((value - ends[i]![0]) / (ends[i]![1] - ends[i]![0])) * (bottom - 6);
+  const across = (value: number): number =>
+    left + ((value - window[0]) / (window[1] - window[0] || 1)) * (right - left);
+  const up = (i: number): ((value: number) => number) => {
+    const [low, high] = ends[i]!;
+    return (value) => bottom - ((value - low) / (high - low)) * (bottom - 6);
+  };
+  const level = (y: number): string => `M${left} ${y.toFixed(2)}H${right}`;
   const small = { "font-size": 11, fill: colour("muted") };
   const muted = colour("muted");
   let out = "";
@@ -79,7 +86,7 @@ function axes(curves: Curves, { width, height, colour, window, shown }: PictureO
   marks.forEach((each, i) => {
     for (const value of each) {
       const y = up(i)(value);
-      if (i === 0) out += element("path", { d: `M${left} ${y.toFixed(2)}H${right}`, stroke: colour(value === 0 ? "line" : "grid") });
+      if (i === 0) out += element("path", { d: level(y), stroke: colour(value === 0 ? "line" : "grid") });
       const at = i ? { x: right + 5 } : { x: left - 5, "text-anchor": "end" };
       out += text(tick(value), { ...at, y: (y + 4).toFixed(2), ...small });
     }
@@ -94,8 +101,9 @@ function axes(curves: Curves, { width, height, colour, window, shown }: PictureO
   let inside = "";
   for (const { value, right: onRight, text: label } of curves.levels) {
     const y = up(Number(onRight))(value);
-    inside += element("path", { d: `M${left} ${y.toFixed(2)}H${right}`, stroke: colour("warn"), "stroke-dasharray": "6 4" });
-    inside += text(label, { x: right - 4, y: (y - 4).toFixed(2), "text-anchor": "end", "font-size": 11, fill: colour("warn") });
+    inside += element("path", { d: level(y), stroke: colour("warn"), "stroke-dasharray": "6 4" });
+    const place = { x: right - 4, y: (y - 4).toFixed(2), "text-anchor": "end" };
+    inside += text(label, { ...place, "font-size": 11, fill: colour("warn") });
   }
   const drawn = curves.curves.map((curve, i) => ({ curve, i })).filter(({ i }) => shown(i));
   for (const { curve } of drawn) {
@@ -105,20 +113,29 @@ function axes(curves: Curves, { width, height, colour, window, shown }: PictureO
   }
   for (const { curve, i } of drawn) {
     const d = pathOf(curves.x.values, curve.values, across, up(Number(curve.right)));
-    const style = { stroke: colour(colourName(i)), "stroke-width": 1.7, "stroke-dasharray": dash(i).join(" ") };
-    inside += element("path", { d, ...style, "stroke-linejoin": "round" });
+    inside += element("path", { d, ...line(i, colour), "stroke-width": 1.7, "stroke-linejoin": "round" });
   }
   for (const { curve, x, y } of curves.marks) {
     if (!shown(curve)) continue;
-    const cy = up(Number(curves.curves[curve]!.right))(y).toFixed(2);
-    inside += element("circle", { cx: across(x).toFixed(2), cy, r: 3.5, fill: colour(colourName(curve)), stroke: colour("paper") });
+    const place = { cx: across(x).toFixed(2), cy: up(Number(curves.curves[curve]!.right))(y).toFixed(2) };
+    inside += element("circle", { ...place, r: 3.5, fill: colour(colourName(curve)), stroke: colour("paper") });
   }
-  const area = `x="${left}" y="2" width="${right - left}" height="${bottom - 2}"`;
-  return `<clipPath id="area"><rect ${area}/></clipPath>${out}<g clip-path="url(#area)">${inside}</g>`;
+  // An inner picture ends where its area does.
+  const [w, h] = [right - left, bottom - 2];
+  const area = `x="${left}" y="2" width="${w}" height="${h}" viewBox="${left} 2 ${w} ${h}"`;
+  return `${out}<svg ${area}>${inside}</svg>`;
 }
 
+const line = (i: number, colour: Sheet["colour"]): { stroke: string; "stroke-dasharray": string } => ({
+  stroke: colour(colourName(i)),
+  "stroke-dasharray": dash(i).join(" "),
+});
+
 /** Entries of a legend in rows of a width. */
-function legendRows<E extends { readonly label: string }>(entries: readonly E[], width: number): (E & { x: number })[][] {
+function legendRows<E extends { readonly label: string }>(
+  entries: readonly E[],
+  width: number,
+): (E & { x: number })[][] {
   const rows: (E & { x: number })[][] = [];
   let x = Infinity;
   for (const entry of entries) {

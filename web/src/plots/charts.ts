@@ -3,30 +3,21 @@
 import type uPlot from "uplot";
 import type { Drawing } from "../drawing/render.ts";
 import type { Say } from "../drawing/words.ts";
+import { found } from "../panels/found.ts";
 import type { Kept } from "../panels/kept.ts";
 import type { TimeAxis } from "../scene/data.ts";
-import { nearest } from "../scene/times.ts";
-import { type Board, type Card, card, figureOf } from "./card.ts";
+import { type Board, board } from "./board.ts";
+import { type Card, card, figureOf } from "./card.ts";
 import { addition, type Choice, type Choices, read, written } from "./choice.ts";
-import { overSignal, overTime } from "./curves.ts";
+import { overTime } from "./curves.ts";
 import { entries } from "./entries.ts";
 import { save } from "./files.ts";
-import { held } from "./held.ts";
 import type { Colour } from "./looks.ts";
-import { sampleAt } from "./monotone.ts";
 import { type PaperChart, paperChart } from "./paper.ts";
+import { groupOf, type Own, place } from "./places.ts";
 import { plotBar } from "./plot_bar.ts";
-import { pointing } from "./pointing.ts";
 import type { Signals } from "./signals.ts";
 import { type Tools, tools } from "./tools.ts";
-
-/** A plot that the page has: its figure, its title, and what it shows for those who don't see it. */
-export interface Own {
-  readonly box: HTMLElement;
-  readonly title: string;
-  readonly label: string;
-  readonly choice: Choice;
-}
 
 export interface ChartsOptions {
   readonly time: TimeAxis;
@@ -55,31 +46,29 @@ export interface Charts {
 
 export function charts(options: ChartsOptions): Charts {
   const { time, own, signals, colour, say, drawing, whole, choosing } = options;
-  const times = time.values;
   const defaults = own.map(({ choice }) => choice);
-  const places = own.map(({ box }) => ({ parent: box.parentElement!, before: box.nextElementSibling }));
+  const groups = own.map(({ box }) => groupOf(box));
   const cards: { card: Card; tools: Tools }[] = [];
   const byBox = new Map<Element, Card>(); // by figure and by area
   const inSight = new Set<Card>();
   let chosen: Choices = { axis: "", plots: defaults };
   if (choosing) chosen = read(choosing.kept.read(), defaults, signals);
-  const overTimes = overTime(times, options.column, time.unit, options.axis);
-  const horizontal = () => (chosen.axis ? overSignal(chosen.axis, signals) : overTimes);
-  const board = {
+  const overTimes = overTime(time.values, options.column, time.unit, options.axis);
+  const shared: Board = board({
     signals,
-    times,
     colour,
     say,
-    x: horizontal(),
-    window: [0, 1] as readonly [number, number],
-    index: 0,
-    goTo(time: number) {
-      drawing.setTime(time);
-      pointed.keep();
+    drawing,
+    time: overTimes,
+    axis: chosen.axis,
+    moved() {
+      for (const each of inSight) each.follow();
     },
-    pointed: (chart) => pointing(chart.uplot, pointed),
-  } satisfies Board;
-  board.window = board.x.ends;
+    zoomed(all) {
+      for (const { card } of cards) card.zoom();
+      if (whole) whole.hidden = all;
+    },
+  });
 
   const sight = new IntersectionObserver((changes) => {
     for (const { target, isIntersecting } of changes) {
@@ -92,26 +81,6 @@ export function charts(options: ChartsOptions): Charts {
   const sized = new ResizeObserver((changes) => {
     for (const { target } of changes) byBox.get(target)?.sized();
   });
-  const moved = (now: number): void => {
-    board.index = nearest(times, now);
-    for (const each of inSight) each.follow();
-  };
-  const zoom = (min: number, max: number): void => {
-    board.window = [min, max];
-    for (const { card } of cards) card.zoom();
-    if (whole) whole.hidden = min === board.x.ends[0] && max === board.x.ends[1];
-    requestAnimationFrame(() => moved(times[board.index]!));
-  };
-  const unzoom = (): void => zoom(...board.x.ends);
-  const pointed = {
-    ...held(drawing),
-    goTo(place: number) {
-      const { ascends, values, pieces } = board.x;
-      drawing.setTime(times[ascends ? nearest(times, place) : sampleAt(values, pieces, place, board.index)]!);
-    },
-    zoom,
-    unzoom,
-  };
   const listed = choosing ? entries(signals) : null;
 
   const add = (box: HTMLElement, choice: Choice, title: string, label: string): Card => {
@@ -120,7 +89,7 @@ export function charts(options: ChartsOptions): Charts {
       bar.update();
       keep();
     };
-    const made: Card = card(box, choice, { title, label, board, edited: choosing ? change : null });
+    const made: Card = card(box, choice, { title, label, board: shared, edited: choosing ? change : null });
     const bar: Tools = tools(made, {
       signals,
       say,
@@ -129,11 +98,11 @@ export function charts(options: ChartsOptions): Charts {
       removed: () => remove(made),
       save(kind) {
         const note = signals.changed ? say("live.changed") : "";
-        void save(made, kind, { time: overTimes, window: board.window, index: board.index, note });
+        void save(made, kind, { time: overTimes, window: shared.window, index: shared.index, note });
       },
     });
     cards.push({ card: made, tools: bar });
-    const area = box.querySelector(".chart")!;
+    const area = found(".chart", box);
     byBox.set(box, made).set(area, made);
     sight.observe(box);
     sized.observe(area);
@@ -153,7 +122,7 @@ export function charts(options: ChartsOptions): Charts {
     if (i >= 0) {
       gone.update({ ...defaults[i]!, top: false, open: false });
       cards.find(({ card }) => card === gone)!.tools.update();
-      settle(i, gone.box, false);
+      settle(i, false);
     } else {
       cards.splice(cards.findIndex(({ card }) => card === gone), 1);
       inSight.delete(gone);
@@ -162,31 +131,18 @@ export function charts(options: ChartsOptions): Charts {
     keep();
   };
   /** Puts a plot of the report among the first ones, or in its group. */
-  const settle = (i: number, box: HTMLElement, top: boolean): void => {
-    if (!choosing) return;
-    const group = document.querySelector(`[data-of="${box.dataset["group"]}"]`) ?? places[i]!.parent;
-    if (top) choosing.top.append(box);
-    else {
-      const after = [...group.children].find((each) => Number((each as HTMLElement).dataset["plot"]) > Number(box.dataset["plot"]));
-      group.insertBefore(box, after ?? null);
-    }
+  const settle = (i: number, top: boolean): void => {
+    if (choosing) place(own[i]!.box, top ? choosing.top : groups[i]!, !top);
   };
   const keep = (): void => {
     chosen = { axis: chosen.axis, plots: cards.map(({ card }) => card.choice) };
     choosing?.kept.write(written(chosen, defaults));
   };
-  const redraw = (): void => {
-    board.x = horizontal();
-    for (const { card, tools } of cards) {
-      card.update();
-      tools.update();
-    }
-  };
   chosen.plots.forEach((choice, i) => {
     const each = own[i];
     if (!each) return void addOther(choice);
     add(each.box, choice, each.title, each.label);
-    if (choice.top !== each.choice.top) settle(i, each.box, choice.top);
+    if (choice.top !== each.choice.top) settle(i, choice.top);
   });
   if (choosing && listed) {
     plotBar(choosing.bar, {
@@ -202,10 +158,9 @@ export function charts(options: ChartsOptions): Charts {
       },
       onAxis(axis) {
         chosen = { ...chosen, axis };
-        board.x = horizontal();
-        board.window = board.x.ends;
+        shared.over(axis);
         if (whole) whole.hidden = true;
-        redraw();
+        for (const { card } of cards) card.update();
         keep();
       },
       reset() {
@@ -213,15 +168,13 @@ export function charts(options: ChartsOptions): Charts {
         cards.forEach(({ card, tools }, i) => {
           card.update(defaults[i]!);
           tools.update();
-          settle(i, card.box, defaults[i]!.top);
+          settle(i, defaults[i]!.top);
         });
         keep();
       },
     });
   }
-  whole?.addEventListener("click", unzoom);
-  drawing.on("time", moved);
-  moved(drawing.time);
+  whole?.addEventListener("click", () => shared.unzoom());
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
     for (const { card } of cards) card.chart?.uplot.redraw(false);
   });
@@ -229,19 +182,17 @@ export function charts(options: ChartsOptions): Charts {
   let onPaper: PaperChart[] = [];
   return {
     update() {
-      const whole = board.window === board.x.ends;
-      board.x = horizontal();
-      if (whole) board.window = board.x.ends;
+      const zoomed = shared.changed();
       for (const { card } of cards) {
+        if (zoomed) card.zoom();
         card.update();
-        if (whole && chosen.axis) card.zoom();
       }
     },
     get all() {
       return cards.flatMap(({ card }) => (card.chart ? [card.chart.uplot] : []));
     },
     toPaper() {
-      onPaper = cards.map(({ card }) => paperChart(card.box.querySelector(".chart")!, card.curves(), board.window, colour));
+      onPaper = cards.map(({ card }) => paperChart(found(".chart", card.box), card.curves(), shared.window, colour));
     },
     toScreen() {
       for (const each of onPaper) each.remove();

@@ -54,7 +54,8 @@ export const unitsOf = (signals: readonly string[], unit: (name: string) => stri
 /** What differs from the report's own plots, as a text. */
 export function written({ axis, plots }: Choices, own: readonly Choice[]): string {
   const before = new Map(own.map((choice) => [choice.of, JSON.stringify(choice)]));
-  return JSON.stringify({ version: 1, axis, plots: plots.filter((each) => before.get(each.of) !== JSON.stringify(each)) });
+  const others = plots.filter((each) => before.get(each.of) !== JSON.stringify(each));
+  return JSON.stringify({ version: 1, axis, plots: others });
 }
 
 /** The choices of a text, with what is left of them: signals that there are, in two units at most. A text that says

@@ -1,16 +1,18 @@
-// A plot as a table: the time, the horizontal axis where it is another one, and all curves, in the units that are shown.
+// A plot as a table: the time, the horizontal axis where it is another one, and all curves, in the units of the page.
 
 import { known, type Values } from "../scene/data.ts";
 import type { Curves } from "./curves.ts";
 
 const POWERS = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
+const plain = (digit: string): string => (digit === "⁻" ? "-" : String(POWERS.indexOf(digit)));
+
 /** A unit as files spell it: N*m, mm/s^2. */
 export const fileUnit = (unit: string): string =>
   unit
     .replaceAll("·", "*")
     .replaceAll("°", "deg")
-    .replace(/⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+/g, (power) => `^${power.replace("⁻", "-").replace(/[⁰¹²³⁴⁵⁶⁷⁸⁹]/g, (digit) => String(POWERS.indexOf(digit)))}`);
+    .replace(/⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+/g, (power) => `^${Array.from(power, plain).join("")}`);
 
 /** A text in one cell: no end of the line, nothing that a spreadsheet takes for a formula. */
 function cell(value: string): string {

@@ -23,7 +23,8 @@ export function entries(signals: Signals): Entries {
     const one = { ...listed, detail, signals: [listed.name] };
     const other = partner(listed.name);
     if (!other || !signals.has(other)) return [one];
-    return [{ ...one, name: `${listed.name}, ${other.slice(other.lastIndexOf(".") + 1)}`, signals: [listed.name, other] }, one];
+    const name = `${listed.name}, ${other.slice(other.lastIndexOf(".") + 1)}`;
+    return [{ ...one, name, signals: [listed.name, other] }, one];
   });
   return { found: (query) => search(all, query) };
 }

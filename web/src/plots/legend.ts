@@ -17,7 +17,11 @@ export interface LegendOptions {
 }
 
 /** Fills the box; gives the places of the values. */
-export function legend(box: Element, entries: readonly Entry[], { toggle, remove }: LegendOptions): HTMLOutputElement[] {
+export function legend(
+  box: Element,
+  entries: readonly Entry[],
+  { toggle, remove }: LegendOptions,
+): HTMLOutputElement[] {
   box.replaceChildren();
   return entries.map(({ name, unit }, i) => {
     const item = html("span", { class: "entry" }, box);
@@ -34,8 +38,8 @@ export function legend(box: Element, entries: readonly Entry[], { toggle, remove
     const removal = remove?.(i);
     if (removal) {
       const { label, act } = removal;
-      const button = html("button", { type: "button", class: "remove screen", "aria-label": label, title: label }, item, "×");
-      button.addEventListener("click", act);
+      const named = { type: "button", class: "remove screen", "aria-label": label, title: label };
+      html("button", named, item, "×").addEventListener("click", act);
     }
     return value;
   });

@@ -36,8 +36,10 @@ export function lightColours(): Colour {
   const outer = html("div", { "data-theme": "light", hidden: "" }, document.body);
   const style = getComputedStyle(html("div", { class: "lw" }, outer));
   const found = new Map<string, string>();
-  const names = ["ink", "muted", "paper", "line", "grid", "warn", ...Array.from({ length: COLOURS }, (_, i) => colourName(i))];
-  for (const name of names) found.set(name, style.getPropertyValue(`--lw-${name}`).trim());
+  const curves = Array.from({ length: COLOURS }, (_, i) => colourName(i));
+  for (const name of ["ink", "muted", "paper", "line", "grid", "warn", ...curves]) {
+    found.set(name, style.getPropertyValue(`--lw-${name}`).trim());
+  }
   outer.remove();
   return (name) => found.get(name) ?? "";
 }

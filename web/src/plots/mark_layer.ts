@@ -41,7 +41,8 @@ export function markLayer(over: HTMLElement, goTo: (time: number) => void): Mark
   return {
     update(u, curves) {
       marks = curves.marks;
-      const key = JSON.stringify([curves.levels.map(({ text }) => text), marks.map(({ text, curve }) => [text, curve])]);
+      const dots = marks.map((each) => [each.text, each.curve]);
+      const key = JSON.stringify([curves.levels.map((each) => each.text), dots]);
       if (key !== made && (marks.length || curves.levels.length || root)) build(curves);
       made = key;
       if (!root) return;

@@ -31,10 +31,11 @@ export function polarView(vectors: readonly Vector[], width: number, height: num
   const per = Math.min(room[0] / Math.max(x1 - x0, 1e-3 * largest), room[1] / Math.max(y1 - y0, 1e-3 * largest));
   const [cx, cy] = [width / 2 - (per * (x0 + x1)) / 2, height / 2 + (per * (y0 + y1)) / 2];
   const reach = Math.max(width, height) / per;
-  return { x: (value) => cx + per * value, y: (value) => cy - per * value, step: ticks(-reach, reach, 2 * Math.ceil(reach * per / 56)) };
+  const step = ticks(-reach, reach, 2 * Math.ceil((reach * per) / 56));
+  return { x: (value) => cx + per * value, y: (value) => cy - per * value, step };
 }
 
-/** `arrows`: the arrows of a sample; without one they have none. */
+/** `index`: the sample of the arrows; null for none. */
 export function polarSvg({ vectors, units }: Curves, index: number | null, sheet: Sheet): string {
   const { width, height, colour } = sheet;
   const view = polarView(vectors, width, height);
@@ -49,22 +50,26 @@ export function polarSvg({ vectors, units }: Curves, index: number | null, sheet
   }
   const below = oy + 13 < height ? oy + 13 : oy - 4;
   const beside = ox > 40 ? ox - 4 : ox + 4;
+  const style = { "font-size": 11, fill: colour("muted") };
   for (const value of view.step) {
     if (value === 0) continue;
     const [x, y] = [view.x(value), view.y(value)];
-    const style = { "font-size": 11, fill: colour("muted") };
-    if (inside(x - 14, width - 28)) out += text(tick(value), { x: round(x), y: round(below), "text-anchor": "middle", ...style });
-    if (inside(y - 4, height)) {
-      out += text(tick(value), { x: round(beside), y: round(y + 4), "text-anchor": ox > 40 ? "end" : "start", ...style });
+    if (inside(x - 14, width - 28)) {
+      out += text(tick(value), { x: round(x), y: round(below), "text-anchor": "middle", ...style });
+    }
+    if (inside(y - 4, height - 8)) {
+      const anchor = ox > 40 ? "end" : "start";
+      out += text(tick(value), { x: round(beside), y: round(y + 4), "text-anchor": anchor, ...style });
     }
   }
-  out += text(`x, ${units[0] ?? ""}`, { x: width - 4, y: round(oy - 5), "text-anchor": "end", "font-size": 11, fill: colour("muted") });
-  out += text("y", { x: round(ox + 5), y: 11, "font-size": 11, fill: colour("muted") });
+  out += text(`x, ${units[0] ?? ""}`, { x: width - 4, y: round(oy - 5), "text-anchor": "end", ...style });
+  out += text("y", { x: round(ox + 5), y: 11, ...style });
   vectors.forEach(({ x, y, ghost }, i) => {
     const tips = (u: Values, v: Values): string => pathOf(u, v, view.x, view.y);
     const stroke = colour(colourName(i));
     if (ghost) {
-      out += element("path", { d: tips(ghost.x, ghost.y), stroke: colour("muted"), "stroke-dasharray": "4 3", opacity: 0.75 });
+      const faint = { stroke: colour("muted"), "stroke-dasharray": "4 3", opacity: 0.75 };
+      out += element("path", { d: tips(ghost.x, ghost.y), ...faint });
     }
     out += element("path", { d: tips(x, y), stroke, "stroke-width": 1.7, "stroke-dasharray": dash(i).join(" ") });
     const d = index === null ? "" : arrow(view, known(x, index), known(y, index));

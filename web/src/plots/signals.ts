@@ -46,7 +46,8 @@ const NOTHING: Marks = { levels: [], places: [] };
 
 /** Those of recorded plots. */
 export function recordedSignals(plots: readonly Plot[]): Signals {
-  const found = new Map(plots.flatMap(({ series, unit }) => series.map((each) => [each.name, { ...each, unit }] as const)));
+  const every = plots.flatMap(({ series, unit }) => series.map((each) => ({ ...each, unit })));
+  const found = new Map(every.map((each) => [each.name, each]));
   return {
     list: [],
     axes: [],

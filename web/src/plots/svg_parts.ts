@@ -28,7 +28,8 @@ const written = (attributes: Attributes): string =>
     .join("");
 
 /** An element without content; lines aren't filled. */
-export const element = (tag: string, attributes: Attributes): string => `<${tag}${written({ fill: "none", ...attributes })}/>`;
+export const element = (tag: string, attributes: Attributes): string =>
+  `<${tag}${written({ fill: "none", ...attributes })}/>`;
 
 export const text = (content: string, attributes: Attributes): string =>
   `<text${written(attributes)}>${escaped(content)}</text>`;
