@@ -95,7 +95,8 @@ class Opened:
 
     def change(self, name: str, value: float) -> None:
         self.page.evaluate(
-            "([name, value]) => linkwright.live.set(linkwright.live.data.numbers.findIndex(n => n.name === name), value)",
+            """([name, value]) => { const { live } = linkwright;
+            live.set(live.data.numbers.findIndex(n => n.name === name), value); }""",
             [name, value],
         )
         self.settle()
@@ -168,13 +169,17 @@ def test_all_signals_can_be_found(view: Opened, made: tuple[ReportData, Result])
     assert sorted(listed) == sorted(name for name in made[1].names if not name.endswith(".arm"))
 
 
-def test_another_unit_gets_the_right_axis_and_a_third_is_not_offered(view: Opened, made: tuple[ReportData, Result]) -> None:
+def test_another_unit_gets_the_right_axis_and_a_third_is_not_offered(
+    view: Opened, made: tuple[ReportData, Result]
+) -> None:
     plot = view.first.first
     view.overlay(plot, "crank.omega")
     _, torque, omega = view.columns("crank.omega")
     assert torque == pytest.approx(made[1].shown("motor.torque")[0], rel=1e-9, abs=1e-9)
     assert omega == pytest.approx(made[1].shown("crank.omega")[0])
-    scales = view.page.evaluate("linkwright.charts.find(c => c.series.length === 3 && c.axes.length === 3).series.map(s => s.scale)")
+    scales = view.page.evaluate(
+        "linkwright.charts.find(c => c.series.length === 3 && c.axes.length === 3).series.map(s => s.scale)"
+    )
     assert scales == ["x", "y", "right"]
     plot.get_by_role("button", name="Overlay a signal").click()
     view.page.keyboard.type("E.x")
@@ -239,16 +244,20 @@ def test_a_polar_plot_shows_the_vector_of_the_moment(view: Opened, made: tuple[R
     view.settle()
     numbers = plot.locator(".arrow").get_attribute("d").replace("M", " ").replace("L", " ").replace("Z", "").split()
     ox, oy, tx, ty = map(float, numbers[:4])
-    assert abs(complex(tx - ox, ty - oy)) / first == pytest.approx(abs(complex(x[12], y[12]) / complex(x[50], y[50])), rel=0.01)
+    assert abs(complex(tx - ox, ty - oy)) / first == pytest.approx(
+        abs(complex(x[12], y[12]) / complex(x[50], y[50])), rel=0.01
+    )
     plot.get_by_label("Representation").select_option("magnitude")
     view.settle()
     _, size = view.columns("|force(frame, crank)|")
     assert size == pytest.approx(np.hypot(x, y), rel=1e-9)
 
 
-def test_marks_of_measures_lead_to_their_times_and_limits_are_lines(view: Opened, made: tuple[ReportData, Result]) -> None:
+def test_marks_of_measures_lead_to_their_times_and_limits_are_lines(
+    view: Opened, made: tuple[ReportData, Result]
+) -> None:
     plot = view.first.nth(2)
-    assert plot.locator(".level text").all_inner_texts() or plot.locator(".level text").count() == 2
+    assert plot.locator(".level text").count() == 2
     assert set(plot.locator(".level text").all_text_contents()) == {"feed_speed_max <= 1300 mm/s"}
     dot = plot.get_by_role("button", name="feed_speed_max")
     dot.click()
@@ -284,7 +293,9 @@ def test_files_of_a_changed_model_say_so(view: Opened) -> None:
     assert len(picture) > 4000
 
 
-def test_pictures_are_light_on_a_dark_page_and_leave_hidden_curves_out(show: Any, made: tuple[ReportData, Result]) -> None:
+def test_pictures_are_light_on_a_dark_page_and_leave_hidden_curves_out(
+    show: Any, made: tuple[ReportData, Result]
+) -> None:
     view = show(made[0], color_scheme="dark")
     plot = view.first.nth(3)
     plot.scroll_into_view_if_needed()

@@ -179,8 +179,8 @@ class SignalOwner(TypedDict):
 
 
 class MeasuredSignal(TypedDict):
-    """The signal that a measure is of. ``by``: its value, the negative one, its magnitude, or that of the vector of which
-    it is the x component. ``level``: whether the measure's limits are limits of these values."""
+    """The signal that a measure is of. ``by``: its value, the negative one, its magnitude, or that of the vector of
+    which it is the x component. ``level``: whether the measure's limits are limits of these values."""
 
     signal: str
     by: str
@@ -193,8 +193,9 @@ class LiveData(TypedDict):
     ``code``: the programs as JavaScript. ``program``: what joins them. ``length`` and ``second``: SI sizes of the
     report's units. ``poses``: the links whose poses come first among the programs' outputs, four rows each;
     ``signals``: the names of the rows behind them, with their ``units``, the ``sizes`` of these, and the ``owners``;
-    ``wrapped`` are the numbers of those that are angles without whole turns; ``axes`` can stand in place of the time. ``probes``: a value of each row, which the page must find too, but for
-    round-off of its ``scales``. ``measures``: what is taken of the samples.
+    ``wrapped`` are the numbers of those that are angles without whole turns; ``axes`` can stand in place of the time.
+    ``probes``: a value of each row, which the page must find too, but for round-off of its ``scales``.
+    ``measures``: what is taken of the samples, and of which signal (``measured``).
     ``numbers``: what can be moved, and the ``lines`` of the file where it stands, by their number. ``drives`` and
     ``parameters`` by their number.
     """

@@ -14,7 +14,7 @@ RATES = {"plot.position": "plot.velocity", "plot.angle": "plot.omega"}
 
 
 def first_plots(plots: Sequence[Plot], result: Result) -> list[int]:
-    """The numbers of the four plots, in the order in which they are shown; fewer where a mechanism has none of a kind."""
+    """The numbers of the four plots, in their order on the page; fewer where a mechanism has none of a kind."""
     keys = [plot["title"].key if isinstance(plot["title"], Said) else "" for plot in plots]
     efforts = [i for i, key in enumerate(keys) if key in ("plot.torque", "plot.effort")]
     reactions = [i for i, key in enumerate(keys) if key == "plot.force"]
@@ -49,4 +49,6 @@ def _owners(plot: Plot) -> set[str]:
 
 
 def _largest(plot: Plot) -> float:
-    return max((abs(value) for series in plot["series"] for value in series["values"] if value is not None), default=0.0)
+    return max(
+        (abs(value) for series in plot["series"] for value in series["values"] if value is not None), default=0.0
+    )

@@ -115,8 +115,8 @@ def structure(data: ReportData) -> str:
 
 
 def plots(data: ReportData) -> str:
-    """One figure per plot under its group's heading; the script fills them. Of a live report the first ones stand before
-    all others, with a place for what a reader chooses."""
+    """One figure per plot under its group's heading; the script fills them. Of a live report the first ones stand
+    before all others, with a place for what a reader chooses."""
     hint = f'<p class="hint screen">{markup(say("report.plots_hint"))}</p>'
     first = list(data.get("first", ())) if data.get("live") else []
     out = ""

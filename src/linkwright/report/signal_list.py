@@ -1,5 +1,5 @@
-"""The list of signals from which a reader of a live report chooses what to plot: units, elements, axes, and which signal
-each measure is of."""
+"""The list of signals from which a reader of a live report chooses what to plot: units, elements, axes, and which
+signal each measure is of."""
 
 from __future__ import annotations
 
@@ -35,8 +35,8 @@ class SignalList:
 
 
 def signal_list(result: Result, others: Iterable[str] = ()) -> SignalList:
-    """The signals of a result, and ``others`` that aren't among its names; lines of action, which have gaps of their own,
-    are left out."""
+    """The signals of a result, and ``others`` that aren't among its names; lines of action, which have gaps of their
+    own, are left out."""
     compiled, quantities = result.run.compiled, result.run.compiled.quantities
     signals = [signal for signal in quantities.signals.all() if signal.attribute != "arm"]
     known = {signal.text: signal.dimension for signal in signals}
@@ -68,7 +68,8 @@ def measured_signals(measures: Iterable[BoundMeasure], names: Container[str]) ->
 
 
 def _measured(measure: BoundMeasure, names: Container[str]) -> MeasuredSignal | None:
-    node, by = parse(measure.entry.signal.text), "value"
+    node: Node | None = parse(measure.entry.signal.text)
+    by = "value"
     if isinstance(node, Negative):
         node, by = node.of, "negative"
     elif isinstance(node, Call) and node.name == "abs" and len(node.args) == 1:
