@@ -155,15 +155,19 @@ export function sideExtent(
   right: boolean,
   [from, to]: readonly [number, number],
   shown: (curve: number) => boolean,
-): [number, number] | null {
-  const within = (row: Values) => (k: number): boolean => {
-    const at = known(row, k);
-    return at !== null && at >= from && at <= to;
-  };
+): readonly [number, number] | null {
+  const whole = from <= x.ends[0] && to >= x.ends[1];
+  const within = (across: Values, values: Values): readonly [number, number] | null =>
+    whole
+      ? wholeExtent(values)
+      : extent(values, (k) => {
+          const at = known(across, k);
+          return at !== null && at >= from && at <= to;
+        });
   const seen = curves.flatMap((curve, i) => {
     if (curve.right !== right || !shown(i)) return [];
-    const ghost = curve.ghost && extent(curve.ghost, within(x.ghost ?? x.values));
-    return [extent(curve.values, within(x.values)), ghost].filter((each) => each !== null);
+    const ghost = curve.ghost && within(x.ghost ?? x.values, curve.ghost);
+    return [within(x.values, curve.values), ghost].filter((each) => each !== null);
   });
   if (!seen.length) return null;
   let [low, high] = [Math.min(...seen.map(([a]) => a)), Math.max(...seen.map(([, b]) => b))];
@@ -174,6 +178,15 @@ export function sideExtent(
     [low, high] = [Math.min(low, value), Math.max(high, value)];
   }
   return [low, high];
+}
+
+const extents = new WeakMap<Values, readonly [number, number] | null>();
+
+/** The ends of values, which don't change: those of an original are asked for in each frame. */
+function wholeExtent(values: Values): readonly [number, number] | null {
+  let found = extents.get(values);
+  if (found === undefined) extents.set(values, (found = extent(values)));
+  return found;
 }
 
 /** Limits of an axis for values between two ends: round-off around a constant is shown as a constant. */
