@@ -51,8 +51,7 @@ export function charts(options: ChartsOptions): Charts {
   const cards: { card: Card; tools: Tools }[] = [];
   const byBox = new Map<Element, Card>(); // by figure and by area
   const inSight = new Set<Card>();
-  let chosen: Choices = { axis: "", plots: defaults };
-  if (choosing) chosen = read(choosing.kept.read(), defaults, signals);
+  let chosen: Choices = choosing ? read(choosing.kept.read(), defaults, signals) : { axis: "", plots: defaults };
   const overTimes = overTime(time.values, options.column, time.unit, options.axis);
   const shared: Board = board({
     signals,
@@ -83,7 +82,7 @@ export function charts(options: ChartsOptions): Charts {
   });
   const listed = choosing ? entries(signals) : null;
 
-  const add = (box: HTMLElement, choice: Choice, title: string, label: string): Card => {
+  const add = (box: HTMLElement, choice: Choice, title: string, label: string): void => {
     const change = (to: Choice): void => {
       made.update(to);
       bar.update();
@@ -101,13 +100,12 @@ export function charts(options: ChartsOptions): Charts {
         void save(made, kind, { time: overTimes, window: shared.window, index: shared.index, note });
       },
     });
-    cards.push({ card: made, tools: bar });
     const area = found(".chart", box);
+    cards.push({ card: made, tools: bar });
     byBox.set(box, made).set(area, made);
     sight.observe(box);
     sized.observe(area);
     if (!choosing) made.seen(true); // all at once: there is nothing that folds
-    return made;
   };
   const addOther = (choice: Choice): HTMLElement => {
     const box = figureOf();
