@@ -81,7 +81,7 @@ def test_scripts_ask_for_the_words_that_the_page_gives() -> None:
     calls = re.findall(r"\b(?:say|tool)\((.*?)\)", text)
     asked = {f"report.{key}" for call in calls for key in re.findall(r'"([\w.]+)"', call)}
     asked |= {f"report.live.{kind}" for kind in MADE}  # by a key that is put together
-    asked |= set(re.findall(r'"(report\.\w+)"', text))
+    asked |= set(re.findall(r'"(report\.[\w.]+)"', text))
     assert asked == set(SCRIPT_WORDS)
 
 

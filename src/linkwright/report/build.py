@@ -35,6 +35,7 @@ from linkwright.report.data import (
     Time,
     Trace,
 )
+from linkwright.report.first_plots import first_plots
 from linkwright.report.joint_shapes import is_cylinder, joint_shapes
 from linkwright.report.live import can_be_live, live_data
 from linkwright.report.structure_summary import facts
@@ -88,6 +89,7 @@ def report_data(
         "time": axis(result),
         "scene": picture,
         "plots": curves,
+        "first": first_plots(curves, result),
         "live": live,
         "sections": [section for one in shown for section in one.sections],
         "structure": facts(result.run.compiled),

@@ -195,16 +195,33 @@ class LiveNumber(TypedDict):
     end: int
 
 
+class SignalOwner(TypedDict):
+    """The element of the next ``count`` signals: its ``kind``, and ``of``, its names, of a point those of its links."""
+
+    kind: str
+    of: str
+    count: int
+
+
+class MeasuredSignal(TypedDict):
+    """The signal that a measure is of. ``by``: its value, the negative one, its magnitude, or that of the vector of
+    which it is the x component. ``level``: whether the measure's limits are limits of these values."""
+
+    signal: str
+    by: str
+    level: bool
+
+
 class LiveData(TypedDict):
     """What the page needs to compute all values itself. Times in s, values in SI.
 
     ``code``: the programs as JavaScript. ``program``: what joins them. ``length`` and ``second``: SI sizes of the
     report's units. ``poses``: the links whose poses come first among the programs' outputs, four rows each;
-    ``signals``: the names of the rows behind them, then ``arrow_rows``: the labels of others that arrows name, all with
-    the ``sizes`` of their units; ``wrapped`` are the numbers of
-    those that are angles without whole turns. ``probes``: a value of each row, which the page must find too, but for
-    round-off of its ``scales``. ``measures``: what is taken of the samples. With ``power`` the last two rows are what
-    the powers of a pose leave, and their size (W).
+    ``signals``: the names of the rows behind them, with their ``units`` and the ``owners``; then ``arrow_rows``: the
+    labels of others that arrows name; ``sizes`` are those of the units of both. ``wrapped`` are the numbers of
+    those that are angles without whole turns; ``axes`` can stand in place of the time. ``probes``: a value of each row, which the
+    page must find too, but for round-off of its ``scales``. ``measures``: what is taken of the samples, and of which
+    signal (``measured``). With ``power`` the last two rows are what the powers of a pose leave, and their size (W).
     ``numbers``: what can be moved, and the ``lines`` of the file where it stands. ``drives`` and
     ``parameters`` by their number.
     """
@@ -218,11 +235,15 @@ class LiveData(TypedDict):
     signals: Sequence[str]
     arrow_rows: Sequence[str]
     sizes: Sequence[float]
+    units: Sequence[str]
+    owners: Sequence[SignalOwner]
+    axes: Sequence[str]
     wrapped: Sequence[int]
     probes: Values
     scales: Sequence[float]
     measures: Sequence[Mapping[str, object]]
     power: bool
+    measured: Sequence[MeasuredSignal | None]
     numbers: Sequence[LiveNumber]
     lines: Sequence[str]
     drives: Sequence[str]
@@ -232,7 +253,7 @@ class LiveData(TypedDict):
 class ReportData(TypedDict):
     """Everything on the page. Sentences: ``source``, what the mechanism is taken from; ``title_block``: model
     file, hash, date, author, revision and version. ``sections``: what the studies show. With ``live`` the page computes
-    the values of scene and plots itself."""
+    the values of scene and plots itself; ``first`` are the numbers of the plots that it shows unfolded."""
 
     title: str
     subtitle: str
@@ -242,6 +263,7 @@ class ReportData(TypedDict):
     time: Time
     scene: Scene
     plots: Sequence[Plot]
+    first: NotRequired[Sequence[int]]
     sections: Sequence[Section]
     structure: Sequence[Fact]
     live: NotRequired[LiveData | None]

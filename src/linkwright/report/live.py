@@ -24,6 +24,7 @@ from linkwright.model.named_numbers import NamedNumbers, named_numbers
 from linkwright.presentation.json_numbers import known
 from linkwright.report.arrows import Arrow, arrow_rows
 from linkwright.report.data import LiveData, LiveNumber, Plot, Scene
+from linkwright.report.signal_list import measured_signals, signal_list
 from linkwright.results import Result
 from linkwright.studies.drive_sweep import Sweep
 
@@ -55,7 +56,8 @@ def live_data(
     names |= dict.fromkeys(series["name"] for plot in plots for series in plot["series"])
     pointed = arrow_rows(arrows)
     names |= dict.fromkeys(row for row in pointed if isinstance(row, str))
-    signals, quantities = [*names], recorded.quantities
+    listed, quantities = signal_list(result, names), recorded.quantities
+    signals = [*listed.names]
     others = [row for row in pointed if not isinstance(row, str)]
     dimensions = [*map(result.dimension, signals), *(pointed[row] for row in others)]
     measures = live_measures(compiled)
@@ -77,11 +79,15 @@ def live_data(
         "signals": signals,
         "arrow_rows": recorded.graph.labels(others),
         "sizes": [quantities.unit_of(dimension)[1] for dimension in dimensions],
+        "units": listed.units,
+        "owners": listed.owners,
+        "axes": listed.axes,
         "wrapped": [i for i, name in enumerate(signals) if recorded.graph.wrapped(name)],
         "probes": [known(float(row[i * PROBE % result.t.size])) for i, row in enumerate(values)],
         "scales": _scales(values, [*("pose" for _ in compiled.graph.pose_rows), *dimensions]),
         "power": power,
         "measures": [one.data({row: i for i, row in enumerate(measured)}) for one in measures],
+        "measured": measured_signals((one.measure for one in measures), listed.names),
         "numbers": numbers,
         "lines": lines,
         "drives": list(compiled.graph.drives),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 
 from linkwright.drawing.charts import named
-from linkwright.findings import Joined, Term, Text
+from linkwright.findings import Joined, Said, Term, Text
 from linkwright.presentation.html_file import asset, html_file
 from linkwright.presentation.payload import Exact
 from linkwright.presentation.scripts import built
@@ -13,6 +13,7 @@ from linkwright.report import sections
 from linkwright.report.data import Plot, ReportData
 from linkwright.report.html_blocks import section
 from linkwright.report.live import without_series, without_values
+from linkwright.report.signal_list import KINDS
 from linkwright.words import say
 
 LIVE_WORDS = (
@@ -41,6 +42,20 @@ LIVE_WORDS = (
     "undo",
     "unsound",
     "within_tolerances",
+)
+PLOT_WORDS = (
+    "axis",
+    "components",
+    "default",
+    "export",
+    "magnitude",
+    "no_match",
+    "overlay",
+    "polar",
+    "remove",
+    "remove_signal",
+    "search",
+    "view",
 )
 PLACES = {name: f"{{{name}}}" for name in ("change", "error", "met", "name", "off", "time", "total", "value")}
 """The places of the scripts' texts, which the scripts fill."""
@@ -72,6 +87,7 @@ SCRIPT_WORDS = (
     "report.paths",
     "report.pause",
     "report.play",
+    *(f"report.plots.{key}" for key in PLOT_WORDS),
     "report.point_names",
     "report.real_time",
     "report.show",
@@ -92,6 +108,7 @@ def page(data: ReportData) -> str:
             "time": {**data["time"], "values": []},
             "scene": without_values(data["scene"]),
             "plots": without_series(data["plots"]),
+            "first": data.get("first", ()),
             "live": True,
         }
         blocks["live"] = Exact({key: value for key, value in live.items() if key != "code"})
@@ -131,13 +148,16 @@ def _body(data: ReportData) -> str:
 
 def _words(data: ReportData) -> dict[str, object]:
     """The words that the page's scripts read: texts by their keys, and what they show of the data in words."""
+    live = data.get("live")
     return {
         "texts": {key: say(key, **PLACES) for key in SCRIPT_WORDS},
         "time": str(data["time"]["label"]),
         "axis": str(named(data["time"]["label"], data["time"]["unit"])),
         "titles": [str(plot["title"]) for plot in data["plots"]],
         "labels": [str(_label(plot)) for plot in data["plots"]],
-        "locked": [str(one["locked"]) for one in live["numbers"]] if (live := data.get("live")) else [],
+        "locked": [str(one["locked"]) for one in live["numbers"]] if live else [],
+        "kinds": {kind: say(f"report.kind.{kind}") for kind in KINDS} if live else {},
+        "column": "t" if data["time"]["label"] == Said("plot.time") else str(data["time"]["label"]),
         "areas": [str(area["name"]) for area in data["scene"].get("areas", ())],
     }
 

@@ -75,6 +75,7 @@ def checks_of(data: ReportData) -> list[Check]:
 def _contents(data: ReportData) -> str:
     shown = [(part.name, part.shown) for part in results(data)]
     parts = [("mechanism", True), ("dimensions", bool(data.get("live"))), *shown]
+    parts.append(("plots", bool(data.get("live") and data["plots"])))
     parts += [(group, any(plot["group"] == group for plot in data["plots"])) for group in GROUPS]
     parts += [(part.name, part.shown) for part in verification(data)]
     parts += [("structure", bool(data["structure"])), ("model", bool(data["model_text"]))]
@@ -141,15 +142,26 @@ def structure(data: ReportData) -> str:
 
 
 def plots(data: ReportData) -> str:
-    """One figure per plot under its group's heading; the script fills them, and where none runs a sentence says so."""
+    """One figure per plot under its group's heading; the script fills them, and where none runs a sentence says so.
+    Of a live report the first ones stand before all others, with a place for what a reader chooses."""
     absent = f"<noscript><p>{markup(say('report.no_script'))}</p></noscript>"
     hint = f'<p class="hint screen">{markup(say("report.plots_hint"))}</p>'
+    first = list(data.get("first", ())) if data.get("live") else []
     out = ""
+    if data.get("live") and data["plots"]:
+        figures = "".join(_plot(i, data["plots"][i]) for i in first)
+        out += (
+            f'<section id="plots"><h2>{markup(say("report.plots"))}</h2><div id="plot-bar" class="screen"></div>{hint}'
+            f'<div id="first-plots" class="plots">{figures}</div></section>'
+        )
+        hint = ""
     for group in GROUPS:
-        figures = "".join(_plot(i, plot) for i, plot in enumerate(data["plots"]) if plot["group"] == group)
-        if figures:
+        every = [(i, plot) for i, plot in enumerate(data["plots"]) if plot["group"] == group]
+        figures = "".join(_plot(i, plot) for i, plot in every if i not in first)
+        if every:
             title = f"<h2>{markup(say(f'report.{group}'))}</h2>"
-            out += f'<section id="{group}">{title}{absent}{hint}<div class="plots">{figures}</div></section>'
+            place = f'<div class="plots" data-of="{group}">{figures}</div>'
+            out += f'<section id="{group}">{title}{absent}{hint}{place}</section>'
             hint = ""
     whole = markup(say("report.whole_time"))
     return out and f'{out}<button type="button" id="whole" class="screen" hidden>{whole}</button>'
@@ -158,7 +170,7 @@ def plots(data: ReportData) -> str:
 def _plot(index: int, plot: Plot) -> str:
     unit = f' <span class="unit">{markup(plot["unit"])}</span>' if plot["unit"] else ""
     return (
-        f'<figure class="plot" data-plot="{index}">'
+        f'<figure class="plot" data-plot="{index}" data-group="{plot["group"]}">'
         f"<figcaption>{markup(plot['title'])}{unit}</figcaption>"
         f'<div class="chart"></div><div class="legend lw"></div></figure>'
     )

@@ -24,6 +24,12 @@ export interface LiveNumber {
   readonly end: number;
 }
 
+export interface MeasuredSignal {
+  readonly signal: string;
+  readonly by: "value" | "negative" | "magnitude" | "vector";
+  readonly level: boolean;
+}
+
 export interface LiveData {
   readonly program: ProgramData;
   readonly times: readonly number[];
@@ -36,12 +42,20 @@ export interface LiveData {
   /** Other rows, behind the signals, that arrows name. */
   readonly arrow_rows: readonly string[];
   readonly sizes: readonly number[];
+  readonly units: readonly string[];
+  /** The elements of the signals, one after the other, each of so many. */
+  readonly owners: readonly { readonly kind: string; readonly of: string; readonly count: number }[];
+  /** The signals that can stand in place of the time. */
+  readonly axes: readonly string[];
   readonly wrapped: readonly number[];
   readonly probes: readonly (number | null)[];
   readonly scales: readonly number[];
   readonly measures: readonly LiveMeasure[];
   /** Whether the last two rows are what the powers of a pose leave, and their size. */
   readonly power: boolean;
+  /** Of each measure the signal that it is of: its value, the negative one, its magnitude, that of the vector of which
+   * it is the x component; and whether limits of the measure are limits of these values. */
+  readonly measured: readonly (MeasuredSignal | null)[];
   readonly numbers: readonly LiveNumber[];
   /** The lines of the file in which numbers stand. */
   readonly lines: readonly string[];

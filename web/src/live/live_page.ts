@@ -9,24 +9,23 @@ import { found } from "../panels/found.ts";
 import { liveState } from "../panels/live_state.ts";
 import { measured } from "../panels/measured.ts";
 import type { Charts } from "../plots/charts.ts";
-import type { Plot, Scene, Texts, TimeAxis } from "../scene/data.ts";
+import type { Scene, Texts, TimeAxis } from "../scene/data.ts";
 import { dragging } from "./dragging.ts";
 import type { LiveModel } from "./live_model.ts";
-import { plotsOf, sceneOf } from "./live_scene.ts";
+import { sceneOf } from "./live_scene.ts";
 
 export interface LivePage {
   readonly live: LiveModel;
   readonly drawing: Drawing;
   readonly charts: Charts;
   readonly scene: Scene;
-  readonly plots: readonly Plot[];
   readonly time: TimeAxis;
   readonly texts: Texts;
   /** Of each number why it is locked, else an empty text. */
   readonly locked: readonly string[];
 }
 
-export function livePage({ live, drawing, charts, scene, plots, time, texts, locked }: LivePage): void {
+export function livePage({ live, drawing, charts, scene, time, texts, locked }: LivePage): void {
   const say = speaker(texts);
   const box = found("#numbers");
   const original = sceneOf(scene, live);
@@ -48,7 +47,7 @@ export function livePage({ live, drawing, charts, scene, plots, time, texts, loc
     waiting = false;
     const now = live.changed ? sceneOf(scene, live) : original;
     drawing.update(now, live.changed ? original : null);
-    charts.update(plotsOf(plots, live));
+    charts.update();
     table.update();
     panel.update();
     state.update(now);

@@ -1,6 +1,6 @@
-// The scene and the plots of a motion that the page computed.
+// The scene of a motion that the page computed.
 
-import type { LinkData, Plot, Point, PoseRows, Scene, Values } from "../scene/data.ts";
+import type { LinkData, Point, PoseRows, Scene, Values } from "../scene/data.ts";
 import type { Motion } from "../program/mechanism.ts";
 import type { LiveModel } from "./live_model.ts";
 
@@ -56,18 +56,3 @@ function poseOf(link: LinkData, poses: readonly string[], rows: readonly Float64
 /** At which poses some link has no place of its own. */
 const openings = ({ failure, rows }: Motion, count: number): boolean[] =>
   Array.from({ length: count }, (_, k) => failure !== null && rows.some((row) => !Number.isFinite(row[k]!)));
-
-/** `base` with the values of the moment; null where there is none. */
-export function plotsOf(base: readonly Plot[], live: LiveModel): Plot[] {
-  return base.map((plot) => ({
-    ...plot,
-    series: plot.series.map((series) => ({ ...series, values: shownValues(live, series.name) })),
-  }));
-}
-
-/** A signal in the unit in which the page shows it. */
-export function shownValues(live: LiveModel, name: string): Values {
-  const row = live.signal(name);
-  const size = live.data.sizes[live.data.signals.indexOf(name)]!;
-  return row ? Array.from(row, (value) => (Number.isFinite(value) ? value / size : null)) : [];
-}

@@ -2,15 +2,17 @@
 
 import { html } from "../drawing/elements.ts";
 import type { Say } from "../drawing/words.ts";
+import { figuresOf, rowsOf } from "../live/live_figures.ts";
 import type { LiveModel } from "../live/live_model.ts";
-import type { Figure, LiveMeasure, Rows } from "../measures/measure.ts";
-import { figures, isLive } from "../measures/registry.ts";
+import type { Figure, LiveMeasure } from "../measures/measure.ts";
+import { isLive } from "../measures/registry.ts";
 import { met } from "../measures/requirement.ts";
 import type { TimeAxis } from "../scene/data.ts";
 import { written } from "./dimensions.ts";
 
 interface Row {
   readonly measure: LiveMeasure;
+  readonly number: number;
   readonly cells: readonly { readonly cell: HTMLElement; readonly as: string }[];
   readonly line: HTMLTableRowElement;
   /** The values (SI) of the samples at the file's numbers, by label. */
@@ -24,13 +26,12 @@ export interface Measured {
 /** Takes over the rows of the table of measures, which stand in the order of the data. */
 export function measured(live: LiveModel, say: Say, time: Pick<TimeAxis, "unit">): Measured {
   const lines = document.querySelectorAll<HTMLTableRowElement>("#measures table.measures tbody tr");
-  const rowsOf = (motion = live.motion): Rows => (row) => motion.measured[row]!;
-  const { times, second } = live.data;
-  const rows = live.data.measures.flatMap((measure): Row[] => {
+  const { second } = live.data;
+  const rows = live.data.measures.flatMap((measure, number): Row[] => {
     const line = Array.from(lines).find((each) => each.querySelector("b")?.textContent === measure.name);
     if (!line) return [];
     const cells = Array.from(line.cells, (cell) => ({ cell, as: cell.innerHTML }));
-    return [{ measure, line, cells, before: figures(measure, times, rowsOf(live.original)) ?? {} }];
+    return [{ measure, number, line, cells, before: figuresOf(live, number, live.original) ?? {} }];
   });
   const badge = document.querySelector<HTMLElement>("#requirements");
   const badgeAs = badge?.innerHTML ?? "";
@@ -53,8 +54,8 @@ export function measured(live: LiveModel, say: Say, time: Pick<TimeAxis, "unit">
     mark(shownBadge, passed === verdicts.length, text);
   };
   /** Writes the figures of the moment into a row; whether they meet its requirement, if it has one. */
-  const show = ({ measure, line, before }: Row): boolean | null => {
-    const found = isLive(measure) ? figures(measure, times, rowsOf()) : undefined;
+  const show = ({ measure, number, line, before }: Row): boolean | null => {
+    const found = isLive(measure) ? figuresOf(live, number) : undefined;
     const values = line.querySelectorAll<HTMLElement>(".line.value");
     const places = line.querySelectorAll<HTMLElement>(".line.where");
     measure.labels.forEach((label, i) => {
@@ -76,7 +77,7 @@ export function measured(live: LiveModel, say: Say, time: Pick<TimeAxis, "unit">
     const grade = isLive(measure) ? say("live.sampled") : say("live.not_computed");
     for (const note of line.querySelectorAll<HTMLElement>(".grade")) note.textContent = grade;
     if (!measure.requirement) return null;
-    const verdict = met(measure.requirement, found, rowsOf());
+    const verdict = met(measure.requirement, found, rowsOf(live.motion));
     const place = line.querySelector<HTMLElement>(".mark");
     if (place) mark(place, verdict, say(verdict ? "pass" : "fail"));
     return verdict;

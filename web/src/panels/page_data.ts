@@ -8,6 +8,8 @@ export interface PageData {
   readonly time: TimeAxis;
   readonly scene: Scene;
   readonly plots: readonly Plot[];
+  /** The numbers of the plots that a live page shows first, unfolded. */
+  readonly first: readonly number[];
   /** What the page needs to compute all values itself: without them scene and plots have none. */
   readonly live?: LiveData;
 }
@@ -20,6 +22,10 @@ export interface PageWords {
   readonly titles: readonly string[];
   readonly labels: readonly string[];
   readonly areas: readonly string[];
+  /** The kinds of elements in words. */
+  readonly kinds: Readonly<Record<string, string>>;
+  /** How a column of times is called in files. */
+  readonly column: string;
   /** Of each number that can be moved why it is locked, else an empty text. */
   readonly locked: readonly string[];
 }
@@ -31,7 +37,7 @@ declare global {
 
 /** The data in the words of the language. */
 export function pageData(words: PageWords): PageData {
-  const { time, scene, plots, live } = read("#data") as Omit<PageData, "live"> & { live?: boolean };
+  const { time, scene, plots, first = [], live } = read("#data") as Omit<PageData, "live"> & { live?: boolean };
   const areas = scene.areas?.map((area, i) => ({ ...area, name: words.areas[i] ?? area.name }));
   const data = live ? (read("#live") as LiveData) : null;
   const values = data ? data.times.map((each) => each / data.second) : time.values;
@@ -39,6 +45,7 @@ export function pageData(words: PageWords): PageData {
     time: { ...time, values, label: words.time },
     scene: areas ? { ...scene, areas } : scene,
     plots: plots.map((plot, i) => ({ ...plot, title: words.titles[i] ?? plot.title })),
+    first,
     ...(data ? { live: data } : {}),
   };
 }

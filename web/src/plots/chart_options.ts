@@ -1,22 +1,15 @@
 // How a plot looks, on the screen and, enlarged for its finer dots, on paper.
 
 import uPlot from "uplot";
-import type { Plot, TimeAxis } from "../scene/data.ts";
+import { type Curves, limits, sideExtent } from "./curves.ts";
 import { tick } from "./figure.ts";
+import { clipped, trace } from "./traces.ts";
 import { type Colour, colourName, dash } from "./looks.ts";
 
 const MOUSE = ["mousedown", "mouseup", "mousemove", "mouseleave", "mouseenter", "click", "dblclick"] as const;
 const FONTS =
   'system-ui, -apple-system, "Segoe UI", Roboto, Arial, ' +
   '"PingFang SC", "Microsoft YaHei", "Noto Sans CJK SC", sans-serif';
-
-/** What all plots of a page share. */
-export interface Shared {
-  readonly time: TimeAxis;
-  /** Name and unit of the time's axis. */
-  readonly axis: string;
-  readonly colour: Colour;
-}
 
 export interface ChartSize {
   readonly width: number;
@@ -25,11 +18,21 @@ export interface ChartSize {
   readonly scale?: number;
 }
 
-export function chartOptions(
-  plot: Plot,
-  { time, axis: label, colour }: Shared,
-  { width, height, scale = 1 }: ChartSize,
-): uPlot.Options {
+/** What of a plot may change while it keeps its options. */
+export interface Shown {
+  curves: Curves;
+  /** What is in sight of the horizontal axis. */
+  window: readonly [number, number];
+  /** The sample at the cursor. */
+  index: number;
+}
+
+/** Plots with the same key differ in values alone. */
+export const chartKey = ({ curves, units, x }: Curves): string =>
+  JSON.stringify([x.label, units, ...curves.map(({ name, right }) => [name, right])]);
+
+export function chartOptions(shown: Shown, colour: Colour, { width, height, scale = 1 }: ChartSize): uPlot.Options {
+  const { curves, units, x } = shown.curves;
   const font = `${11 * scale}px ${FONTS}`;
   const axis: uPlot.Axis = {
     font,
@@ -42,6 +45,14 @@ export function chartOptions(
   };
   const longest: uPlot.Axis.Size = (_, values) =>
     Math.max(...(values ?? [""]).map((text) => String(text).length), 3) * 6.4 * scale + 14 * scale;
+  const side = (right: boolean): uPlot.Scale.Range => (u) => {
+    const ends = sideExtent(shown.curves, right, shown.window, (i) => u.series[i + 1]?.show !== false);
+    return ends ? uPlot.rangeNum(...limits(...ends), 0.08, true) : [-1, 1];
+  };
+  const unitLabel = (i: number): Partial<uPlot.Axis> =>
+    units.length > 1 ? { label: units[i]!, labelSize: 15 * scale, labelGap: 0 } : {};
+  const vertical = { ...axis, space: 25 * scale, size: longest };
+  const other: uPlot.Axis = { ...vertical, ...unitLabel(1), scale: "right", side: 1, grid: { show: false } };
   return {
     width: width * scale,
     height: height * scale,
@@ -52,37 +63,62 @@ export function chartOptions(
       y: false,
       drag: { x: false, y: false, setScale: false },
       points: { size: 7 },
+      dataIdx: () => shown.index,
       bind: Object.fromEntries(MOUSE.map((name) => [name, () => null])), // pointing.ts takes over
     },
-    scales: { x: { time: false }, y: { range: limits } },
+    scales: {
+      x: { time: false, range: () => [...shown.window] },
+      y: { range: side(false) },
+      ...(units.length > 1 ? { right: { range: side(true) } } : {}),
+    },
     axes: [
-      { ...axis, space: 46 * scale, size: 22 * scale, labelSize: 16 * scale, labelGap: 0, label },
-      { ...axis, space: 25 * scale, size: longest },
+      { ...axis, space: 46 * scale, size: 22 * scale, labelSize: 16 * scale, labelGap: 0, label: x.label },
+      { ...vertical, ...unitLabel(0) },
+      ...(units.length > 1 ? [other] : []),
     ],
+    hooks: { drawAxes: [(u) => ghosts(u, shown.curves, colour, scale)] },
     series: [
       {},
-      ...plot.series.map(
-        (series, i): uPlot.Series => ({
-          label: series.name,
+      ...curves.map(
+        (curve, i): uPlot.Series => ({
+          label: curve.name,
+          scale: curve.right ? "right" : "y",
           stroke: () => colour(colourName(i)),
           width: 1.7 * scale,
           pxAlign: 0,
           dash: dash(i).map((part) => part * scale),
-          points: { show: time.values.length < 2 },
+          points: { show: x.values.length < 2 },
+          ...(x.ascends ? {} : { paths: overAxis(shown) }),
         }),
       ),
     ],
   };
 }
 
-/** Limits of the value axis: round-off around a constant is shown as a constant. */
-function limits(_: uPlot, low: number | null, high: number | null): uPlot.Range.MinMax {
-  if (low == null || high == null) return [-1, 1];
-  const size = Math.max(Math.abs(low), Math.abs(high));
-  const nought = size < 1e-10;
-  const spread = high - low < 1e-8 * size || nought ? Math.max(0.1 * size, nought ? 1 : 0) : 0;
-  return uPlot.rangeNum(low - spread, high + spread, 0.08, true);
+/** Curves over values that go up and down, in the order of the samples. */
+const overAxis =
+  (shown: Shown): uPlot.Series.PathBuilder =>
+  (u, series) => {
+    const { curves, x } = shown.curves;
+    const curve = curves[series - 1]!;
+    return { stroke: trace(u, curve.right, x.values, curve.values) };
+  };
+
+/** The curves of the original behind those of a changed model. */
+function ghosts(u: uPlot, { curves, x }: Curves, colour: Colour, scale: number): void {
+  const { ctx } = u;
+  curves.forEach(({ ghost, right }, i) => {
+    if (!ghost || u.series[i + 1]?.show === false) return;
+    clipped(u, () => {
+      ctx.strokeStyle = colour("muted");
+      ctx.globalAlpha = 0.75;
+      ctx.lineWidth = scale * devicePixelRatio;
+      ctx.setLineDash([4 * scale * devicePixelRatio, 3 * scale * devicePixelRatio]);
+      ctx.stroke(trace(u, right, x.ghost ?? x.values, ghost));
+    });
+  });
 }
 
-export const columns = (plot: Plot, time: TimeAxis): uPlot.AlignedData =>
-  [time.values, ...plot.series.map((series) => series.values)] as uPlot.AlignedData;
+export const columns = ({ x, curves }: Curves): uPlot.AlignedData =>
+  [x.values, ...curves.map((curve) => curve.values)] as uPlot.AlignedData;
+

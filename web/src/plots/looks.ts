@@ -1,5 +1,7 @@
 // Lines that are told apart in light, in dark and in black and white.
 
+import { html } from "../drawing/elements.ts";
+
 const DASHES = [[], [7, 3], [2, 3], [10, 3, 2, 3], [5, 2, 1, 2, 1, 2]] as const;
 const COLOURS = 8;
 
@@ -12,8 +14,32 @@ export const colourName = (i: number): string => `c${i % COLOURS}`;
 /** A colour of drawings by its name, as it is at the moment. */
 export type Colour = (name: string) => string;
 
-/** The colours that hold at an element. */
-export const coloursAt =
-  (element: Element): Colour =>
-  (name) =>
-    getComputedStyle(element).getPropertyValue(`--lw-${name}`).trim();
+/** The colours that hold at an element. They are looked up once for each theme: a look-up takes as long as a curve. */
+export function coloursAt(element: Element): Colour {
+  const media = ["(prefers-color-scheme: dark)", "print"].map((query) => matchMedia(query));
+  const themes = new Map<string, Map<string, string>>();
+  return (name) => {
+    const theme = [document.documentElement.dataset["theme"], ...media.map(({ matches }) => matches)].join();
+    const colours = themes.get(theme) ?? new Map<string, string>();
+    themes.set(theme, colours);
+    let colour = colours.get(name);
+    if (colour === undefined) {
+      colour = getComputedStyle(element).getPropertyValue(`--lw-${name}`).trim();
+      colours.set(name, colour);
+    }
+    return colour;
+  };
+}
+
+/** The colours in light, whatever the page's are. */
+export function lightColours(): Colour {
+  const outer = html("div", { "data-theme": "light", hidden: "" }, document.body);
+  const style = getComputedStyle(html("div", { class: "lw" }, outer));
+  const found = new Map<string, string>();
+  const curves = Array.from({ length: COLOURS }, (_, i) => colourName(i));
+  for (const name of ["ink", "muted", "paper", "line", "grid", "warn", ...curves]) {
+    found.set(name, style.getPropertyValue(`--lw-${name}`).trim());
+  }
+  outer.remove();
+  return (name) => found.get(name) ?? "";
+}

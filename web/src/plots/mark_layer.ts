@@ -1,0 +1,71 @@
+// What measures say, over the curves of a plot: limits of requirements as lines, places as dots that lead there.
+
+import type uPlot from "uplot";
+import { svg } from "../drawing/elements.ts";
+import type { Curves, Mark } from "./curves.ts";
+import { colourName } from "./looks.ts";
+
+export interface MarkLayer {
+  update(u: uPlot, curves: Curves): void;
+}
+
+export function markLayer(over: HTMLElement, goTo: (time: number) => void): MarkLayer {
+  let root: SVGSVGElement | null = null;
+  let made = "";
+  let marks: readonly Mark[] = [];
+  const build = (curves: Curves): void => {
+    root ??= svg("svg", { class: "plot-marks lw" }, over);
+    root.replaceChildren();
+    for (const level of curves.levels) {
+      const line = svg("g", { class: "level" }, root);
+      svg("path", {}, line);
+      svg("text", {}, line).textContent = level.text;
+    }
+    curves.marks.forEach((mark, i) => {
+      const dot = svg("g", { class: "place", role: "button", tabindex: 0, "aria-label": mark.text }, root);
+      svg("title", {}, dot).textContent = mark.text;
+      svg("circle", { r: 11, class: "reach" }, dot);
+      svg("circle", { r: 4 }, dot).style.fill = `var(--lw-${colourName(mark.curve)})`;
+      const act = (event: Event): void => {
+        event.preventDefault();
+        event.stopPropagation();
+        goTo(marks[i]!.time);
+      };
+      dot.addEventListener("pointerdown", (event) => event.stopPropagation());
+      dot.addEventListener("click", act);
+      dot.addEventListener("keydown", (event) => {
+        if (event.key === "Enter" || event.key === " ") act(event);
+      });
+    });
+  };
+  return {
+    update(u, curves) {
+      marks = curves.marks;
+      const dots = marks.map((each) => [each.text, each.curve]);
+      const key = JSON.stringify([curves.levels.map((each) => each.text), dots]);
+      if (key !== made && (marks.length || curves.levels.length || root)) build(curves);
+      made = key;
+      if (!root) return;
+      // Not those of the element, which would lay out the page anew.
+      const [width, height] = [u.bbox.width / devicePixelRatio, u.bbox.height / devicePixelRatio];
+      const groups = [...root.children] as SVGGElement[];
+      curves.levels.forEach(({ value, right }, i) => {
+        const y = u.valToPos(value, right ? "right" : "y");
+        const group = groups[i]!;
+        group.style.display = y >= 0 && y <= height ? "" : "none";
+        group.firstElementChild!.setAttribute("d", `M0 ${y}H${width}`);
+        const text = group.lastElementChild!;
+        text.setAttribute("x", String(width - 3));
+        text.setAttribute("y", String(y > 14 ? y - 4 : y + 12));
+      });
+      marks.forEach((mark, i) => {
+        const group = groups[curves.levels.length + i]!;
+        const right = curves.curves[mark.curve]!.right;
+        const [x, y] = [u.valToPos(mark.x, "x"), u.valToPos(mark.y, right ? "right" : "y")];
+        const hidden = u.series[mark.curve + 1]?.show === false || x < -1 || x > width + 1 || !Number.isFinite(y);
+        group.style.display = hidden ? "none" : "";
+        group.setAttribute("transform", `translate(${x} ${y})`);
+      });
+    },
+  };
+}
