@@ -118,7 +118,7 @@ def operations(example: str, live: LiveData) -> int:
     file = ROOT / "examples" / f"{example}.yaml"
     compiled = lw.compile(named_numbers(load(file)).mechanism)
     graph, measured = compiled.graph, live_rows(live_measures(compiled))
-    return graph.program([*graph.pose_rows, *live["signals"]]).size + graph.program(measured, rates=True).size
+    return graph.with_rates([*graph.pose_rows, *live["signals"]], measured).size
 
 
 if __name__ == "__main__":

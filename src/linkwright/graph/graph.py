@@ -147,6 +147,19 @@ class Graph:
             self._programs[key] = self._build(*key)
         return self._programs[key]
 
+    def with_rates(self, named: Sequence[Named], rated: Sequence[Named]) -> Program:
+        """The program of some rows, then of others each of which is followed by its time derivative; all share what
+        they have in common."""
+        order = self.order([*named, *rated])
+        view = self._view(max(order, 1) if rated and self.structure.higher_groups else order)
+        rows = [ca.SX(view.row(one)) for one in named]
+        values = [ca.SX(view.row(one)) for one in rated]
+        slopes: Any = ca.jtimes(ca.vertcat(*values), view.x, self.flow(view)) if values else ()
+        rows += [part for i, value in enumerate(values) for part in (value, slopes[i])]
+        block = ExpressionStage.from_rows(view.x, view.p, rows)
+        outputs = [*self.labels(named), *(part for n in self.labels(rated) for part in (n, f"d({n})"))]
+        return Program((), block, self.inputs, self.parameters, tuple(outputs))
+
     def solving(self, higher_group: HigherGroup) -> Program:
         """The program that solves one higher group, from inputs in which the earlier ones stand already."""
         view, rows = self._view(0), self.coordinates(higher_group)

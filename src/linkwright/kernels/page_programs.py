@@ -67,8 +67,9 @@ class PagePrograms:
 
     @cached_property
     def signals(self) -> Program:
-        """The rows, then the reaches of all dyads with two modes, from inputs that are all known."""
-        return self.compiled.graph.program([*self.rows, *self.reaches])
+        """The rows, then the reaches of all dyads with two modes, then the measured rows with their rates, from inputs
+        that are all known."""
+        return self.compiled.graph.with_rates([*self.rows, *self.reaches], self.measured)
 
     @cached_property
     def reaches(self) -> list[ReachRow]:
@@ -92,8 +93,7 @@ class PagePrograms:
         """All programs, by what they are for."""
         compiled, supply = self.compiled, self.compiled.supply
         graph = compiled.graph
-        measured = [graph.program(self.measured, rates=True)] if self.measured else []
-        used = frozenset().union(*(program.used[0] for program in (self.signals, *measured)))
+        used = self.signals.used[0]
         turns = [supply.turns[name].kernel.program for name in graph.actions.turning if supply.rows[f"turns/{name}"]]
         return {
             "derived": [self.derived],
@@ -104,7 +104,6 @@ class PagePrograms:
             "lookups": [kernel.program for _, kernel in supply.levels],
             "ratios": [ratio_program(compiled, self.locked)] if supply.followers and max(used) >= supply.first else [],
             "signals": [self.signals],
-            "measured": measured,
             "nearest": [graph.nearest_poses],
             "dragged": [self.dragged],
             "slopes": [derived_parameters(compiled.quantities, tangents=True)],

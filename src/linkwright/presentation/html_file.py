@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from importlib.resources import files
 from typing import Any
@@ -47,7 +48,7 @@ def html_file(
 <link rel="icon" href="data:,">
 <title>{markup(title)}</title>
 <style>
-{before}{asset(__package__, "page.css")}{style}
+{before}{compact_css(asset(__package__, "page.css") + style)}
 </style>
 </head>
 <body{of_kind}>
@@ -56,6 +57,14 @@ def html_file(
 </body>
 </html>
 """
+
+
+_COMMENT, _SPACE, _AROUND = re.compile(r"/\*.*?\*/", re.S), re.compile(r"\s+"), re.compile(r" ?([{};,]) ?")
+
+
+def compact_css(text: str) -> str:
+    """A style sheet without comments and the spaces that don't count."""
+    return _AROUND.sub(r"\1", _SPACE.sub(" ", _COMMENT.sub("", text))).replace(";}", "}").replace(": ", ":").strip()
 
 
 def asset(package: str, name: str) -> str:

@@ -37,7 +37,7 @@ from linkwright.report.data import (
 )
 from linkwright.report.first_plots import first_plots
 from linkwright.report.joint_shapes import is_cylinder, joint_shapes
-from linkwright.report.live import can_be_live, live_data
+from linkwright.report.live import can_be_live, live_data, rounded
 from linkwright.report.structure_summary import facts
 from linkwright.report.summary import drawn, found
 from linkwright.results import Result
@@ -72,7 +72,7 @@ def report_data(
     assert whole is not None
     result = whole.thinned(MAX_STEPS)
     if can_be_live(result):
-        result = result.at(sampled_times(result.run, result.run.steps))
+        result = result.at(rounded(sampled_times(result.run, result.run.steps)))
     findings = [*examined, *found(outcomes)]
     picture, curves = scene(result), plots(result) if result.t[-1] > result.t[0] else []
     text = dump(document) if text is None else text

@@ -218,10 +218,11 @@ class LiveData(TypedDict):
     ``code``: the programs as JavaScript. ``program``: what joins them. ``length`` and ``second``: SI sizes of the
     report's units. ``poses``: the links whose poses come first among the programs' outputs, four rows each;
     ``signals``: the names of the rows behind them, with their ``units`` and the ``owners``; then ``arrow_rows``: the
-    labels of others that arrows name; ``sizes`` are those of the units of both. ``wrapped`` are the numbers of
-    those that are angles without whole turns; ``axes`` can stand in place of the time. ``probes``: a value of each row, which the
-    page must find too, but for round-off of its ``scales``. ``measures``: what is taken of the samples, and of which
-    signal (``measured``). With ``power`` the last two rows are what the powers of a pose leave, and their size (W).
+    labels of others that arrows name; ``sizes`` are those of the units of both. ``wrapped`` are the numbers of those
+    that are angles without whole turns; ``axes`` can stand in place of the time. ``probes``: a value of every third
+    row, which the page must find too, but for round-off of its ``scales``. ``measures``: what is taken of the samples,
+    and of which signal (``measured``). With ``power`` the last two rows are what the powers of a pose leave, and their
+    size.
     ``numbers``: what can be moved, and the ``lines`` of the file where it stands. ``drives`` and
     ``parameters`` by their number.
     """

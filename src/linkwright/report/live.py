@@ -7,7 +7,8 @@ the nominal parameters alone.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,6 +31,8 @@ from linkwright.studies.drive_sweep import Sweep
 
 Array = NDArray[np.float64]
 
+EVERY = 3
+"""Of how many rows one is compared."""
 PROBE = 7919
 """A prime: the pose at which the value of row i is compared is i times this, modulo the number of poses."""
 
@@ -38,6 +41,11 @@ def can_be_live(result: Result) -> bool:
     """Whether a page can compute what a result shows."""
     run = result.run
     return not isinstance(run, Sweep) and run.start == 0.0 < run.stop and not run.compiled.passages.every
+
+
+def rounded(times: Array) -> Array:
+    """Times (s) of few digits, that are the same in a page."""
+    return np.array([float(f"{time:.13g}") for time in times])
 
 
 def live_data(
@@ -69,6 +77,8 @@ def live_data(
     values = [*recorded.evaluate(recorded.graph.pose_rows, result.t), *(result[name] for name in signals)]
     values += [*recorded.evaluate(others, result.t)] if others else []
     numbers, lines = _numbers(made, named, text)
+    probed = [*enumerate(values)][::EVERY]
+    kinds = [*("pose" for _ in compiled.graph.pose_rows), *dimensions]
     return {
         "code": made.code(),
         "program": made.data(),
@@ -83,10 +93,10 @@ def live_data(
         "owners": listed.owners,
         "axes": listed.axes,
         "wrapped": [i for i, name in enumerate(signals) if recorded.graph.wrapped(name)],
-        "probes": [known(float(row[i * PROBE % result.t.size])) for i, row in enumerate(values)],
-        "scales": _scales(values, [*("pose" for _ in compiled.graph.pose_rows), *dimensions]),
+        "probes": [known(float(f"{row[i * PROBE % result.t.size]:.12g}")) for i, row in probed],
+        "scales": [float(f"{one:.2g}") for one in _scales(values, kinds)[::EVERY]],
         "power": power,
-        "measures": [one.data({row: i for i, row in enumerate(measured)}) for one in measures],
+        "measures": [pruned(one.data({row: i for i, row in enumerate(measured)})) for one in measures],
         "measured": measured_signals((one.measure for one in measures), listed.names),
         "numbers": numbers,
         "lines": lines,
@@ -121,10 +131,10 @@ def _numbers(made: PagePrograms, named: NamedNumbers, text: str) -> tuple[list[L
                 "name": name,
                 "label": one["label"],
                 "value": one["value"],
-                "low": one["low"],
-                "high": one["high"],
+                "low": float(f"{one['low']:.6g}"),
+                "high": float(f"{one['high']:.6g}"),
                 "tolerance": one["tolerance"],
-                "scale": scales.get(dimension, abs(one["value"]) or one["size"]),
+                "scale": float(f"{scales.get(dimension, abs(one['value']) or one['size']):.3g}"),
                 "unit": one["unit"],
                 "size": one["size"],
                 "named": name not in named.numbers and name in stated,
@@ -137,6 +147,22 @@ def _numbers(made: PagePrograms, named: NamedNumbers, text: str) -> tuple[list[L
     return found, [whole[line - 1] for line in lines]
 
 
+def pruned(value: Any) -> Any:
+    """Plain data without what is empty or false, and without dimensions, which a page doesn't ask."""
+    if isinstance(value, Mapping):
+        parts = {key: pruned(one) for key, one in value.items() if key != "dimension"}
+        return {
+            key: one for key, one in parts.items() if one is not None and one is not False and one not in ([], {}, "")
+        }
+    return [pruned(one) for one in value] if isinstance(value, list) else value
+
+
+def packed(values: Sequence[object]) -> dict[str, object]:
+    """A list in which few values recur: these, and the number of each entry's."""
+    found = list(dict.fromkeys(values))
+    return {"of": found, "at": [found.index(value) for value in values]}
+
+
 def without_values(scene: Scene) -> dict[str, object]:
     """A scene whose values the page computes."""
     links = [{key: value for key, value in link.items() if key != "pose"} for link in scene["links"]]
@@ -144,5 +170,5 @@ def without_values(scene: Scene) -> dict[str, object]:
 
 
 def without_series(plots: Sequence[Plot]) -> list[dict[str, object]]:
-    """Plots whose values the page computes."""
-    return [{**plot, "series": [{"name": series["name"]} for series in plot["series"]]} for plot in plots]
+    """Plots whose values the page computes; their titles are words."""
+    return [{**plot, "title": "", "series": [{"name": series["name"]} for series in plot["series"]]} for plot in plots]

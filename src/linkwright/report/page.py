@@ -5,14 +5,14 @@ from __future__ import annotations
 from functools import partial
 
 from linkwright.drawing.charts import named
-from linkwright.findings import Joined, Said, Term, Text
+from linkwright.findings import Said, Term, Text
 from linkwright.presentation.html_file import asset, html_file
 from linkwright.presentation.payload import Exact
 from linkwright.presentation.scripts import built
 from linkwright.report import sections
-from linkwright.report.data import Plot, ReportData
+from linkwright.report.data import ReportData
 from linkwright.report.html_blocks import section
-from linkwright.report.live import without_series, without_values
+from linkwright.report.live import packed, pruned, without_series, without_values
 from linkwright.report.signal_list import KINDS
 from linkwright.words import say
 
@@ -111,7 +111,10 @@ def page(data: ReportData) -> str:
             "first": data.get("first", ()),
             "live": True,
         }
-        blocks["live"] = Exact({key: value for key, value in live.items() if key != "code"})
+        own: dict[str, object] = {key: value for key, value in live.items() if key != "code"}
+        own |= {"sizes": packed(live["sizes"]), "units": packed(live["units"])}
+        own["numbers"] = pruned([{**number, "locked": bool(str(number["locked"]))} for number in live["numbers"]])
+        blocks["live"] = Exact(own)
         scripts.insert(0, f"globalThis.linkwrightPrograms={live['code']}")
     return html_file(
         data["title"],
@@ -154,7 +157,8 @@ def _words(data: ReportData) -> dict[str, object]:
         "time": str(data["time"]["label"]),
         "axis": str(named(data["time"]["label"], data["time"]["unit"])),
         "titles": [str(plot["title"]) for plot in data["plots"]],
-        "labels": [str(_label(plot)) for plot in data["plots"]],
+        "label": str(_label("{title}")),
+        "label_unit": str(_label(named("{title}", "{unit}"))),
         "locked": [str(one["locked"]) for one in live["numbers"]] if live else [],
         "kinds": {kind: say(f"report.kind.{kind}") for kind in KINDS} if live else {},
         "column": "t" if data["time"]["label"] == Said("plot.time") else str(data["time"]["label"]),
@@ -162,10 +166,9 @@ def _words(data: ReportData) -> dict[str, object]:
     }
 
 
-def _label(plot: Plot) -> Text:
-    """What a plot shows, for those who don't see it."""
-    names = Joined(series["name"] for series in plot["series"])
-    return Term("colon", first=named(plot["title"], plot["unit"]), then=names)
+def _label(title: Text) -> Text:
+    """What a plot shows, for those who don't see it: a text with places for its signals."""
+    return Term("colon", first=title, then="{signals}")
 
 
 def _built(name: str) -> str:

@@ -57,7 +57,7 @@ def _owner(result: Result, signals: Sequence[Signal]) -> SignalOwner:
     """The element of some signals: of a point the links that have it, else its own names."""
     first = signals[0]
     links = result.run.compiled.quantities.signals.links_of_points
-    names = links[first.owners[0]] if first.kind == "point" else first.owners
+    names = (links[first.owners[0]],) if first.kind == "point" else first.owners
     of = ", ".join(name for name in names if name not in KINDS)
     return {"kind": first.kind, "of": of, "count": len(signals)}
 

@@ -10,3 +10,7 @@ export const speaker =
   (words: Texts): Say =>
   (key) =>
     words[`report.${key}`] ?? key.replaceAll("_", " ");
+
+/** A text with its places filled in: {name}. */
+export const filled = (text: string, data: Readonly<Record<string, string>>): string =>
+  text.replace(/\{(\w+)\}/g, (_, key: string) => data[key] ?? "");

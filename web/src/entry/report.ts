@@ -3,6 +3,7 @@
 import { type Drawing, render } from "../drawing/render.ts";
 import { speaker } from "../drawing/words.ts";
 import { still } from "../drawing/still.ts";
+import { filled } from "../drawing/words.ts";
 import { LiveModel } from "../live/live_model.ts";
 import { livePage } from "../live/live_page.ts";
 import { liveSignals } from "../live/live_signals.ts";
@@ -33,7 +34,9 @@ const own = Array.from(document.querySelectorAll<HTMLElement>("figure.plot"), (b
   const signals = plots[i]!.series.map(({ name }) => name);
   const first = !live || page.first.includes(i);
   const choice = { of: keyOf(signals), signals, view: "components", top: first, open: first } as const;
-  return { box, title: plots[i]!.title, label: words.labels[i] ?? "", choice };
+  const { title, unit } = plots[i]!;
+  const label = filled(unit ? words.label_unit : words.label, { title, unit, signals: signals.join(", ") });
+  return { box, title, label, choice };
 });
 const bar = document.querySelector("#plot-bar");
 const shown = charts({

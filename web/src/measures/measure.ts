@@ -30,12 +30,11 @@ export interface LiveRequirement {
 }
 
 /** A measure; with a `reason` (a key of the texts) it isn't shown live. Shown in `unit`, which is `size` in SI;
- * `dimension`: the powers of length, mass, time and angle. */
+ * what isn't there, is none. */
 export interface LiveMeasure {
   name: string;
   reduction: string;
   labels: string[];
-  dimension: [number, number, number, number];
   unit: string;
   size: number;
   reason: string | null;

@@ -2,7 +2,7 @@
 // lines of the file that would make it so.
 
 import { html } from "../drawing/elements.ts";
-import type { Say } from "../drawing/words.ts";
+import { filled, type Say } from "../drawing/words.ts";
 import type { LiveModel } from "../live/live_model.ts";
 import { changedLines } from "../live/changed_lines.ts";
 import { closureError } from "../live/closure_error.ts";
@@ -88,6 +88,3 @@ function stateLine(live: LiveModel, say: Say, { unit }: Pick<TimeAxis, "unit">, 
   return filled(say(`live.failed_${failure.kind}`), { name: names[failure.kind] ?? "", time: at });
 }
 
-/** A text with its places filled in: {name}. */
-const filled = (text: string, data: Readonly<Record<string, string>>): string =>
-  text.replace(/\{(\w+)\}/g, (_, key: string) => data[key] ?? "");

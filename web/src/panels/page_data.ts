@@ -1,6 +1,7 @@
 // What the page brings for its scripts: the data as JSON, its words in the language that is shown.
 
 import type { LiveData } from "../live/live_data.ts";
+import type { LiveMeasure, LiveNumber, LiveRow } from "../measures/measure.ts";
 import type { Plot, Scene, Texts, TimeAxis } from "../scene/data.ts";
 import { found } from "./found.ts";
 
@@ -20,7 +21,9 @@ export interface PageWords {
   readonly time: string;
   readonly axis: string;
   readonly titles: readonly string[];
-  readonly labels: readonly string[];
+  /** What a plot shows, with places for its {title}, {unit} and {signals}. */
+  readonly label: string;
+  readonly label_unit: string;
   readonly areas: readonly string[];
   /** The kinds of elements in words. */
   readonly kinds: Readonly<Record<string, string>>;
@@ -39,7 +42,7 @@ declare global {
 export function pageData(words: PageWords): PageData {
   const { time, scene, plots, first = [], live } = read("#data") as Omit<PageData, "live"> & { live?: boolean };
   const areas = scene.areas?.map((area, i) => ({ ...area, name: words.areas[i] ?? area.name }));
-  const data = live ? (read("#live") as LiveData) : null;
+  const data = live ? liveData(read("#live") as Packed) : null;
   const values = data ? data.times.map((each) => each / data.second) : time.values;
   return {
     time: { ...time, values, label: words.time },
@@ -47,6 +50,53 @@ export function pageData(words: PageWords): PageData {
     plots: plots.map((plot, i) => ({ ...plot, title: words.titles[i] ?? plot.title })),
     first,
     ...(data ? { live: data } : {}),
+  };
+}
+
+/** Lists in which few values recur have these, and the number of each entry's. */
+interface List<T> {
+  readonly of: readonly T[];
+  readonly at: readonly number[];
+}
+type Packed = Omit<LiveData, "sizes" | "units"> & { readonly sizes: List<number>; readonly units: List<string> };
+
+function liveData(data: Packed): LiveData {
+  const unpacked = <T>({ of, at }: List<T>): T[] => at.map((i) => of[i]!);
+  const measures = data.measures.map((measure) => ({ ...NOTHING, ...measure, ...stated(measure) }));
+  const numbers = data.numbers.map((number) => ({ ...PLAIN, ...number }));
+  return { ...data, measures, numbers, sizes: unpacked(data.sizes), units: unpacked(data.units) };
+}
+
+const PLAIN = { tolerance: null, named: false, locked: false, unit: "" };
+const NOTHING = { reason: null, watched: [], window: null, numbers: {}, words: {}, wrap: null, requirement: null };
+
+/** The parts of a measure in which something may be absent. */
+function stated(measure: Partial<LiveMeasure>): Partial<LiveMeasure> {
+  const row = (one: Partial<LiveRow> & Pick<LiveRow, "row">): LiveRow => ({ jumps: false, angle: false, ...one });
+  const number = (one: Partial<LiveNumber>): LiveNumber => ({ value: null, row: null, ...one });
+  const { rows = {}, window, numbers = {}, wrap, requirement } = measure;
+  return {
+    rows: Object.fromEntries(Object.entries(rows).map(([key, one]) => [key, row(one)])),
+    numbers: Object.fromEntries(Object.entries(numbers).map(([key, one]) => [key, number(one)])),
+    ...(window
+      ? {
+          window: {
+            row: window.row ? row(window.row) : null,
+            ends: [number(window.ends[0]), number(window.ends[1])],
+            turning: Boolean(window.turning),
+          },
+        }
+      : {}),
+    ...(wrap ? { wrap: [number(wrap[0]), number(wrap[1])] } : {}),
+    ...(requirement
+      ? {
+          requirement: {
+            text: requirement.text,
+            low: requirement.low ? number(requirement.low) : null,
+            high: requirement.high ? number(requirement.high) : null,
+          },
+        }
+      : {}),
   };
 }
 

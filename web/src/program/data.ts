@@ -41,7 +41,6 @@ export type Counts = Record<
   | "lookups"
   | "ratios"
   | "signals"
-  | "measured"
   | "nearest"
   | "dragged"
   | "slopes"

@@ -52,7 +52,7 @@ export class Mechanism {
       this.kinds[kind] = programs.slice(next, (next += count));
     }
     this.p = new Float64Array(data.parameters);
-    this.size = data.outputs + data.groups.length;
+    this.size = data.outputs + data.groups.length + 2 * data.measured;
     this.out = new Float64Array(this.size);
     this.shapes = new Float64Array(data.shape);
     this.laws = new Float64Array(data.drives.count * data.drives.width);
@@ -84,7 +84,7 @@ export class Mechanism {
     const parameters = this.derived(free).slice();
     const unknown = (): Float64Array => new Float64Array(this.times.length).fill(NaN);
     const motion: Motion = {
-      measured: Array.from({ length: this.data.measured }, () => ({ values: unknown(), rates: unknown() })),
+      measured: [],
       rows: [],
       reaches: [],
       parameters,
@@ -92,7 +92,12 @@ export class Mechanism {
     };
     const rows = Array.from({ length: this.size }, unknown);
     motion.rows = rows.slice(0, this.data.outputs);
-    motion.reaches = rows.slice(this.data.outputs);
+    const rest = this.data.outputs + this.data.groups.length;
+    motion.reaches = rows.slice(this.data.outputs, rest);
+    motion.measured = Array.from({ length: this.data.measured }, (_, i) => ({
+      values: rows[rest + 2 * i]!,
+      rates: rows[rest + 2 * i + 1]!,
+    }));
     const constants = new Float64Array(this.data.turns.length + sum(this.data.looked_at));
     this.tell(parameters);
     this.only("constants").pose([], constants);
@@ -110,21 +115,8 @@ export class Mechanism {
       this.only("signals").pose(this.poses[k]!, this.out);
       for (let i = 0; i < this.size; i++) rows[i]![k] = this.out[i]!;
     });
-    this.measure(motion);
     motion.failure = this.failure(motion, lost);
     return motion;
-  }
-
-  private measure({ measured }: Motion): void {
-    if (!measured.length) return;
-    const [program, out] = [this.only("measured"), new Float64Array(2 * measured.length)];
-    for (const [k, x] of this.poses.entries()) {
-      program.pose(x, out);
-      for (const [i, { values, rates }] of measured.entries()) {
-        values[k] = out[2 * i]!;
-        rates[k] = out[2 * i + 1]!;
-      }
-    }
   }
 
   /** The shapes of links at some parameters: coordinates of points (m), angles of lines (rad). */

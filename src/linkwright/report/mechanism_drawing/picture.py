@@ -17,7 +17,7 @@ from linkwright.words import say
 
 WIDTH, MOST, R = 520.0, 460.0, 5.8
 """Width and largest height of the drawing, and half a bar's width, in pixels."""
-GHOSTS = 6
+GHOSTS = 3
 """So many further poses are drawn faintly."""
 
 

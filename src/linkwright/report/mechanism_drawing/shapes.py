@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-MOST_POINTS = 120
+MOST_POINTS = 48
 """A line has no more points."""
 UNSEEN = 0.15
 """A line may differ by so much, in pixels, from the one that it stands for."""
