@@ -66,7 +66,7 @@ def test_random_numbers_of_the_file(name: str) -> None:
     largest = np.abs(np.nan_to_num(true)).max(axis=(0, 2))
     kinds = np.array(["pose"] * 4 * len(live["poses"]) + list(live["units"])[: len(live["signals"])])
     scales = np.array(
-        [max(most, 1e-6 * largest[kinds == kind].max()) for most, kind in zip(largest, kinds, strict=True)]
+        [max(most, 1e-6 * largest[kinds == kind].max(), 1e-12) for most, kind in zip(largest, kinds, strict=True)]
     )
     assert (np.isnan(found) == np.isnan(true)).mean() > 0.999  # a pose on the edge of a window, by round-off
     error = np.abs(found - true) / scales[:, None]
@@ -75,7 +75,7 @@ def test_random_numbers_of_the_file(name: str) -> None:
     assert np.nanquantile(error, 0.99) < 3e-10
 
 
-@pytest.mark.parametrize(("name", "most"), [("paper_feeder", 289e3), ("jansen_leg", 300e3), ("loader", 400e3)])
+@pytest.mark.parametrize(("name", "most"), [("paper_feeder", 295e3), ("jansen_leg", 330e3), ("loader", 360e3)])
 def test_the_page_is_no_larger_than_tables_made_it(name: str, most: float) -> None:
     assert len(page(report_of(name)).encode()) < most
 

@@ -120,7 +120,8 @@ def test_a_slider_moves_all_of_the_page(show: Callable[..., Opened]) -> None:
     assert re.search(r"residual \d\.\de-1\d", state(view))
     view.page.get_by_role("button", name="Reset all").click()
     rested(view)
-    assert view.page.locator("main").inner_text().replace("Undo\n\n", "") == before
+    after = view.page.locator("main").inner_text().replace("Undo", "")
+    assert after.split() == before.split()
     assert not view.page.locator(".mark.changed").is_visible()
 
 

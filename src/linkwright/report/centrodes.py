@@ -11,8 +11,6 @@ from linkwright.results import Result
 
 Array = NDArray[np.float64]
 
-FINE = 1e-3
-"""To which share of the motion's size, or finer, places are told."""
 FAR = 0.5
 """How far from the motion a centrode is drawn, in sizes of the motion."""
 
@@ -34,9 +32,7 @@ def centrodes(result: Result, size: float) -> list[Centrode]:
         x, y, u, v = _cut(np.array(pole), omega, (low + high) / 2, (high - low) / 2 + FAR * extent) / size
         known = np.isfinite(x)
         if known.sum() > 1 and max(np.ptp(x[known]), np.ptp(y[known])) * size > 1e-6 * extent:
-            fine = 10.0 ** np.floor(np.log10(extent / size * FINE))
-            told = (listed(np.round(row / fine) * fine) for row in (x, y, u, v))
-            drawn.append({"link": link, **dict(zip("xyuv", told, strict=True))})  # type: ignore[typeddict-item]
+            drawn.append({"link": link, "x": listed(x), "y": listed(y), "u": listed(u), "v": listed(v)})
     return drawn
 
 

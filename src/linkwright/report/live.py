@@ -166,7 +166,14 @@ def packed(values: Sequence[object]) -> dict[str, object]:
 def without_values(scene: Scene) -> dict[str, object]:
     """A scene whose values the page computes."""
     links = [{key: value for key, value in link.items() if key != "pose"} for link in scene["links"]]
-    return {**scene, "time": [], "links": links, "traces": [{"name": trace["name"]} for trace in scene["traces"]]}
+    traces = [{"name": trace["name"]} for trace in scene["traces"]]
+    rolling = [{key: _coarse(rows) for key, rows in one.items()} for one in scene.get("centrodes", ())]
+    return {**scene, "time": [], "links": links, "traces": traces, "centrodes": rolling}
+
+
+def _coarse(rows: Any) -> Any:
+    """A row of a drawing with the digits that can be seen."""
+    return [value and float(f"{value:.5g}") for value in rows] if isinstance(rows, list) else rows
 
 
 def without_series(plots: Sequence[Plot]) -> list[dict[str, object]]:

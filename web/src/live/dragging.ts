@@ -70,6 +70,7 @@ export function dragging({ live, drawing, held, shapes, said }: DragOptions): vo
     drawing.pause();
     time = drawing.time * data.second;
     start = live.values.slice();
+    live.begin();
     picture.setPointerCapture(event.pointerId);
     picture.classList.add("lw-dragging");
   });
@@ -87,6 +88,7 @@ export function dragging({ live, drawing, held, shapes, said }: DragOptions): vo
   const end = (): void => {
     if (point < 0) return;
     follow();
+    live.end();
     start = null;
     point = -1;
     said(null);

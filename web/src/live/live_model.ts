@@ -29,6 +29,7 @@ export class LiveModel {
   private readonly history: Float64Array[] = [];
   private computed: Float64Array;
   private last = -Infinity;
+  private gesture: { noted: boolean } | null = null;
   /** The number of the data by its place among the free parameters; -1 where it stands nowhere in the file. */
   private readonly places: number[];
   private readonly listeners = new Set<() => void>();
@@ -80,6 +81,16 @@ export class LiveModel {
   restore(values: ArrayLike<number>): void {
     this.values.set(values);
     this.compute();
+  }
+
+  /** All changes until the end of a gesture are one step back. */
+  begin(): void {
+    this.gesture = { noted: false };
+  }
+
+  end(): void {
+    this.gesture = null;
+    this.last = -Infinity;
   }
 
   /** Back to before the last change, or stroke of changes; false where there was none. */
@@ -143,7 +154,9 @@ export class LiveModel {
   private compute(): void {
     // Changes that follow each other within a breath are one step back.
     if (this.values.some((value, i) => value !== this.computed[i])) {
-      if (performance.now() - this.last > STROKE) this.history.push(this.computed);
+      const first = this.gesture === null ? performance.now() - this.last > STROKE : !this.gesture.noted;
+      if (first) this.history.push(this.computed);
+      if (this.gesture) this.gesture.noted = true;
       this.last = performance.now();
       this.computed = this.values.slice();
     }

@@ -57,6 +57,7 @@ export function liveState(
     badge.hidden = !changed;
     badge.textContent = `◐ ${say("live.changed")}`;
     for (const button of [reset, copied]) button.hidden = !changed;
+    bar.toggleAttribute("hidden", !changed && live.sound && !live.undoable);
     undo.hidden = !live.undoable;
     back.hidden = !motion.failure;
     lines.hidden = !changed;
