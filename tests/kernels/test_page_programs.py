@@ -12,6 +12,7 @@ import pytest
 from helpers.acting import acting
 from helpers.compiled import compiled_from
 from helpers.examples import four_bar
+from helpers.longer import mostly_long
 from helpers.pages import PageRun, page_drags, page_run
 from helpers.plain import document_of
 from helpers.random_mechanisms import Seeded, build
@@ -27,7 +28,8 @@ from linkwright.model.document import load
 from linkwright.structure import HigherGroup
 
 ROOT = Path(__file__).parents[2]
-FILES = sorted([*(ROOT / "examples").glob("*.yaml"), *(ROOT / "src/linkwright/gallery").glob("*.yaml")])
+EXAMPLES = sorted((ROOT / "examples").glob("*.yaml"))
+FILES = [*EXAMPLES, *sorted((ROOT / "src/linkwright/gallery").glob("*.yaml"))]
 TIMES = np.linspace(0.0123, 1.2, 61)  # examples start in dead centres, where round-off says in which window they are
 SETS = 50
 
@@ -85,7 +87,9 @@ def assert_same(found: PageRun, true: np.ndarray, places: int) -> None:
 
 
 @needs_node
-@pytest.mark.parametrize("path", FILES, ids=lambda path: f"{path.parent.name}-{path.stem}")
+@pytest.mark.parametrize(
+    "path", mostly_long(FILES, EXAMPLES.__contains__), ids=lambda path: f"{path.parent.name}-{path.stem}"
+)
 def test_random_sets(path: Path) -> None:
     """The same signals as a batch of samples at the same times; sets that can't close fail at the same pose, for the
     same reason."""
@@ -134,7 +138,9 @@ def freedom(made: PagePrograms, **more: Any) -> dict[str, Any]:
 
 
 @needs_node
-@pytest.mark.parametrize("path", FILES, ids=lambda path: f"{path.parent.name}-{path.stem}")
+@pytest.mark.parametrize(
+    "path", mostly_long(FILES, EXAMPLES.__contains__), ids=lambda path: f"{path.parent.name}-{path.stem}"
+)
 def test_drags(path: Path) -> None:
     """Any point goes to a place nearby, where the parameters can bring it; so does that of a sample with these."""
     compiled = driven(path)

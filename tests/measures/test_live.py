@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from helpers.compiled import compiled_from
 from helpers.examples import four_bar
+from helpers.longer import mostly_long
 from helpers.measured import by_page, example_samples, lacking, sampled
 from helpers.pages import page_run
 from helpers.runs import EXAMPLES, example_run
@@ -79,7 +80,7 @@ def held_to(measures: list[LiveMeasure], t: Any, rows: Any) -> None:
             assert answer["met"] == measure.requirement.met(own, rows.__getitem__)
 
 
-@pytest.mark.parametrize("name", MEASURED)
+@pytest.mark.parametrize("name", mostly_long(MEASURED, MEASURED[::2].__contains__))
 def test_figures_are_near_the_exact_ones(name: str) -> None:
     run, measures, t, rows = example_samples(name)
     exact = {result.name: result for result in measure_all(run)[0]}
@@ -100,7 +101,7 @@ def test_figures_are_near_the_exact_ones(name: str) -> None:
 
 
 @pytest.mark.skipif(bool(lacking()), reason=lacking())
-@pytest.mark.parametrize("name", MEASURED)
+@pytest.mark.parametrize("name", mostly_long(MEASURED, MEASURED[::2].__contains__))
 def test_pages_take_them_alike(name: str) -> None:
     _, measures, t, rows = example_samples(name, 150)
     held_to(measures, t, rows)
@@ -176,7 +177,7 @@ def test_a_moved_dimension() -> None:
         assert [figure.value for figure in one.values()] == pytest.approx(expected, rel=SMOOTH), true.name
 
 
-@pytest.mark.parametrize("name", MEASURED)
+@pytest.mark.parametrize("name", mostly_long(MEASURED, MEASURED[::2].__contains__))
 def test_rows_have_names_of_their_own(name: str) -> None:
     compiled = example_run(name).compiled
     labels = compiled.graph.labels(live_rows(live_measures(compiled)))

@@ -11,6 +11,7 @@ import pytest
 from numpy.typing import NDArray
 
 from helpers.examples import four_bar, heavy_four_bar
+from helpers.longer import mostly_long
 from helpers.models import EXAMPLES, GALLERY, identity
 from helpers.pages import page_run
 from linkwright.app.job import Examined, examine_document
@@ -58,7 +59,7 @@ def examined(document: Mechanism, folder: Path) -> Examined:
     return examine_document(document, folder)
 
 
-@pytest.mark.parametrize("path", [*EXAMPLES, *GALLERY], ids=identity)
+@pytest.mark.parametrize("path", mostly_long([*EXAMPLES, *GALLERY], EXAMPLES[::2].__contains__), ids=identity)
 def test_the_motion_stays(path: Path) -> None:
     """Of every model that comes with the package: what is found in it, motion, forces, measures."""
     document = load(path)

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from helpers.longer import mostly_long
 from helpers.models import CHINESE, EXAMPLES, GALLERY, identity
 from linkwright.model.document import Document, dump, load, read_document
 from linkwright.model.named_numbers import NamedNumbers, named_numbers
@@ -191,7 +192,7 @@ def prepared(path: Path) -> tuple[NamedNumbers, str]:
     return named_numbers(load(path)), path.read_bytes().decode("utf-8")
 
 
-@pytest.mark.parametrize("path", FILES, ids=identity)
+@pytest.mark.parametrize("path", mostly_long(FILES, FILES[::3].__contains__), ids=identity)
 def test_every_number_stands_in_its_file(path: Path) -> None:
     """In the file as it is, with line ends and the mark of Windows, and as the document would be saved."""
     named, text = prepared(path)
@@ -215,7 +216,7 @@ NUMBERS = st.one_of(
 )
 
 
-@pytest.mark.parametrize("path", FILES, ids=identity)
+@pytest.mark.parametrize("path", mostly_long(FILES, FILES[::3].__contains__), ids=identity)
 @settings(max_examples=3, deadline=None)
 @given(data=st.data())
 def test_just_the_changed_values_change(path: Path, data: st.DataObject) -> None:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from helpers.longer import mostly_long
 from helpers.pages import run_data
 from linkwright.app.job import carry_out
 from linkwright.app.single_study import examine_alone
@@ -24,6 +25,11 @@ from linkwright.studies import RunContext
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CYCLES = sorted(path.stem for path in EXAMPLES.glob("*.yaml") if "  cycle:" in path.read_text(encoding="utf-8"))
 SETS = 50
+USUAL = {
+    *("arm_on_coupler", "cam_linkage", "chinese_names", "five_bar", "jansen_leg", "loader", "paper_feeder"),
+    *("platform", "slider_crank_gas", "tailgate"),
+}
+"""Those that are tested in every run: all kinds of joints, laws, forces and groups."""
 
 
 def report_of(name: str) -> ReportData:
@@ -33,7 +39,7 @@ def report_of(name: str) -> ReportData:
     return report_data(load(file), job.outcomes, text=file.read_text(encoding="utf-8"))
 
 
-@pytest.mark.parametrize("name", CYCLES)
+@pytest.mark.parametrize("name", mostly_long(CYCLES, USUAL.__contains__))
 def test_random_numbers_of_the_file(name: str) -> None:
     """All numbers of a file changed by some hundredths, fifty times: every signal that the page shows, at its times,
     beside a batch of samples; the same samples have no motion."""

@@ -232,6 +232,7 @@ def test_only_the_links_of_a_pin_change(show: Callable[..., Opened]) -> None:
     view.page.keyboard.up("Alt")
     assert "AB" in view.page.evaluate(script)
     view.page.get_by_role("button", name="Undo").click()
+    rested(view)
     here = view.pin("C")
     view.page.mouse.move(here.real, -here.imag)
     view.page.mouse.down()
