@@ -271,6 +271,7 @@ def test_what_cannot_be_assembled(show: Callable[..., Opened]) -> None:
     assert re.match(r"The links of coupler-rocker can't be assembled at [\d.]+ s", state(view))
     pose = view.page.evaluate("linkwright.live.motion.failure.pose")
     view.page.evaluate(f"linkwright.drawing.setIndex({pose})")
+    assert view.page.locator(".lw-gaps i").count() == 1
     gap = view.page.locator(".lw-opening text").filter(visible=True)
     a, b, c, d = 40.0, 30.0, 80.0, 100.0
     angle = (
@@ -285,6 +286,7 @@ def test_what_cannot_be_assembled(show: Callable[..., Opened]) -> None:
     rested(view)
     assert view.page.evaluate("linkwright.live.motion.failure") is None
     assert entry.input_value() == "62"
+    assert view.page.locator(".lw-gaps i").count() == 0
 
 
 def test_entries_take_numbers_alone(show: Callable[..., Opened]) -> None:

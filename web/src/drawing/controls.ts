@@ -13,6 +13,8 @@ const MANY = 8;
 export interface Controls {
   readonly play: HTMLButtonElement;
   readonly slider: HTMLInputElement;
+  /** Marks the stretches of the time in which poses can't be assembled. */
+  readonly mark: (gaps: readonly boolean[]) => void;
   readonly readout: HTMLOutputElement;
   readonly speed: HTMLSelectElement;
   readonly areas: readonly HTMLInputElement[];
@@ -30,7 +32,7 @@ export interface ControlOptions {
 export function controls(root: Element, facts: Facts, { say, time, real }: ControlOptions): Controls {
   const bar = html("div", { class: "lw-bar" }, root);
   const play = playButton(bar);
-  const slider = track(bar, facts, time.label, say);
+  const { slider, mark } = track(bar, facts, time.label, say);
   const readout = html("output", { class: "lw-time", "aria-live": "off" }, bar);
 
   const options = html("div", { class: "lw-options" }, root);
@@ -50,7 +52,7 @@ export function controls(root: Element, facts: Facts, { say, time, real }: Contr
   );
   const stands = facts.times.length < 2 || facts.times.at(-1) === facts.times[0];
   if (stands) for (const part of [bar, speedLabel]) part.classList.add("lw-hidden");
-  return { play, slider, readout, speed, areas, traces, centrodes };
+  return { play, slider, mark, readout, speed, areas, traces, centrodes };
 }
 
 /** The paths, all to be seen at first if they are few; else those of points that no joint holds, if there are any. */
@@ -71,19 +73,23 @@ function playButton(parent: Element): HTMLButtonElement {
 }
 
 /** The time's slider, a step a sample, above marks of the stretches that can't be assembled. */
-function track(parent: Element, facts: Facts, label: string, say: Say): HTMLInputElement {
+function track(parent: Element, facts: Facts, label: string, say: Say): Pick<Controls, "slider" | "mark"> {
   const box = html("div", { class: "lw-track" }, parent);
   const last = facts.times.length - 1;
   const slider = html("input", { type: "range", min: 0, max: last, step: 1, value: 0, "aria-label": label }, box);
-  const gaps = html("div", { class: "lw-gaps" }, box);
+  const marks = html("div", { class: "lw-gaps" }, box);
   const share = (samples: number) => `${(samples / Math.max(last, 1)) * 100}%`;
-  facts.gaps.forEach((gap, i) => {
-    if (!gap || facts.gaps[i - 1]) return;
-    const end = facts.gaps.indexOf(false, i);
-    const width = (end < 0 ? last : end - 1) - i;
-    html("i", { style: `left:${share(i)};width:${share(width)}`, title: say("not_assembled") }, gaps);
-  });
-  return slider;
+  const mark = (gaps: readonly boolean[]): void => {
+    marks.replaceChildren();
+    gaps.forEach((gap, i) => {
+      if (!gap || gaps[i - 1]) return;
+      const end = gaps.indexOf(false, i);
+      const width = (end < 0 ? last : end - 1) - i;
+      html("i", { style: `left:${share(i)};width:${share(width)}`, title: say("not_assembled") }, marks);
+    });
+  };
+  mark(facts.gaps);
+  return { slider, mark };
 }
 
 function speedChoice(parent: Element, real: number, realTime: string | null): HTMLSelectElement {

@@ -161,6 +161,7 @@ export function render({
     fit: fitAll,
     update(scene, before) {
       facts = survey(scene, facts);
+      ui.mark(facts.gaps);
       if (original?.scene !== before) original = before && survey(before, facts);
       layout();
     },
