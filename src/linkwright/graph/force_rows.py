@@ -5,11 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from linkwright.graph.rows import ActionRow, Row
+from linkwright.graph.rows import ElementActionRow, Row
 from linkwright.notation import Scalar, Wrench
 
 if TYPE_CHECKING:
-    from linkwright.graph.graph import Graph
     from linkwright.graph.view import View
 
 FORCE = ("x", "y")
@@ -17,21 +16,15 @@ PLACE = ("at_x", "at_y")
 
 
 @dataclass(frozen=True)
-class AppliedForce(ActionRow):
+class AppliedForce(ElementActionRow):
     """Of a force that an element applies: its ``x`` or ``y`` (N), or where it acts, ``at_x`` or ``at_y`` (m).
 
     ``index`` is its number among the element's wrenches, one for each link.
     """
 
-    section: str
-    name: str
     index: int
     part: str
     called = "{section}/{name}/{index}/{part}"
-
-    def order(self, graph: Graph) -> int:
-        own: int = graph.actions.at[self.section, self.name].kind.order
-        return max(graph.actions.order, own)
 
     def expression(self, view: View) -> Scalar:
         one = view.graph.actions.at[self.section, self.name]

@@ -243,16 +243,22 @@ class ActionRow(Row):
 
 
 @dataclass(frozen=True)
-class Strength(ActionRow):
-    """What an element without a signal of its own does, such as a load: its signs and finiteness are looked at."""
+class ElementActionRow(ActionRow):
+    """A row of one element that acts, which may need more signals than the loads do."""
 
     section: str
     name: str
-    called = "{section}/{name}"
 
     def order(self, graph: Graph) -> int:
         own: int = graph.actions.at[self.section, self.name].kind.order
         return max(graph.actions.order, own)
+
+
+@dataclass(frozen=True)
+class Strength(ElementActionRow):
+    """What an element without a signal of its own does, such as a load: its signs and finiteness are looked at."""
+
+    called = "{section}/{name}"
 
     def expression(self, view: View) -> Scalar:
         one = view.graph.actions.at[self.section, self.name]

@@ -94,7 +94,7 @@ class PagePrograms:
         compiled, supply = self.compiled, self.compiled.supply
         graph = compiled.graph
         used = self.signals.used[0]
-        turns = [supply.turns[name].kernel.program for name in graph.actions.turning if supply.rows[f"turns/{name}"]]
+        turns = [supply.turns[name].kernel.program for name in graph.actions.turning]
         return {
             "derived": [self.derived],
             "constants": [constants_program(compiled)],

@@ -6,7 +6,7 @@ import { check } from "./check.ts";
 import { html, svg } from "./elements.ts";
 import type { Seen } from "./seen.ts";
 import type { Facts } from "./survey.ts";
-import type { Say } from "./words.ts";
+import { filled, type Say } from "./words.ts";
 
 export interface ShowRow {
   /** Keys of the scales follow the drawing's width. */
@@ -30,7 +30,7 @@ export function showRow(root: Element, facts: Facts, seen: Seen, say: Say, chang
     const group = html("span", { class: `lw-kind lw-${kind}` }, row);
     const box = check(group, names[kind], false, "");
     const scale = html("span", { class: "lw-scale-of", hidden: "" }, group);
-    const label = say("arrow_length").replace("{name}", names[kind]);
+    const label = filled(say("arrow_length"), { name: names[kind] });
     const slider = html("input", { type: "range", min: -2, max: 2, step: 0.25, value: 0, "aria-label": label }, scale);
     const key = svg("svg", { class: "lw-key", height: 10, "aria-hidden": "true" }, scale);
     const text = html("output", { "aria-live": "off" }, scale);

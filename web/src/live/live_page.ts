@@ -3,7 +3,7 @@
 import { html } from "../drawing/elements.ts";
 import type { Drawing } from "../drawing/render.ts";
 import { still } from "../drawing/still.ts";
-import { type Say, speaker } from "../drawing/words.ts";
+import { filled, type Say, speaker } from "../drawing/words.ts";
 import { dimensions, written } from "../panels/dimensions.ts";
 import { found } from "../panels/found.ts";
 import { liveState } from "../panels/live_state.ts";
@@ -66,7 +66,7 @@ export function livePage({ live, drawing, charts, scene, time, texts, locked }: 
     said: (off) => {
       hint.hidden = off === null;
       const far = off === null ? "" : `${written(off / live.data.length)} ${scene.length_unit}`;
-      hint.textContent = say("live.out_of_reach").replace("{off}", far);
+      hint.textContent = filled(say("live.out_of_reach"), { off: far });
     },
   });
   panel.update();

@@ -1,7 +1,7 @@
 // The measures of the page, taken anew from the samples while its numbers are changed.
 
 import { html } from "../drawing/elements.ts";
-import type { Say } from "../drawing/words.ts";
+import { filled, type Say } from "../drawing/words.ts";
 import { figuresOf, rowsOf } from "../live/live_figures.ts";
 import type { LiveModel } from "../live/live_model.ts";
 import type { Figure, LiveMeasure } from "../measures/measure.ts";
@@ -50,7 +50,7 @@ export function measured(live: LiveModel, say: Say, time: Pick<TimeAxis, "unit">
     const shownBadge = badge.querySelector<HTMLElement>(".mark");
     if (!live.changed || !verdicts.length || !shownBadge) return;
     const passed = verdicts.filter(Boolean).length;
-    const text = say("live.requirements").replace("{met}", `${passed}`).replace("{total}", `${verdicts.length}`);
+    const text = filled(say("live.requirements"), { met: `${passed}`, total: `${verdicts.length}` });
     mark(shownBadge, passed === verdicts.length, text);
   };
   /** Writes the figures of the moment into a row; whether they meet its requirement, if it has one. */
@@ -68,7 +68,7 @@ export function measured(live: LiveModel, say: Say, time: Pick<TimeAxis, "unit">
       if (figure && was && values[i]) {
         const change = shown((figure.value - was.value) / measure.size, true);
         const original = shown(was.value / measure.size);
-        const text = say("live.original").replace("{value}", original).replace("{change}", change);
+        const text = filled(say("live.original"), { value: original, change });
         const note = values[i]!.nextElementSibling;
         if (note?.classList.contains("was")) note.textContent = text;
         else values[i]!.after(html("span", { class: "note was" }, null, text));

@@ -1,6 +1,7 @@
 // A plot on the page: its head with tools, its curves in the view that its reader chose, its legend.
 
 import { html } from "../drawing/elements.ts";
+import { filled } from "../drawing/words.ts";
 import { found } from "../panels/found.ts";
 import type { Board } from "./board.ts";
 import { type Chart, chart } from "./chart.ts";
@@ -78,7 +79,7 @@ export function card(
         edited && now.curves.length > 1
           ? (i) => {
               const { name, signals: of } = now.curves[i]!;
-              const text = say("plots.remove_signal").replace("{name}", () => name);
+              const text = filled(say("plots.remove_signal"), { name });
               return { label: text, act: () => edited(without(made.choice, of[0]!)) };
             }
           : undefined,
