@@ -4,7 +4,7 @@ import { html } from "../drawing/elements.ts";
 import type { Drawing } from "../drawing/render.ts";
 import { still } from "../drawing/still.ts";
 import { filled, type Say, speaker } from "../drawing/words.ts";
-import { dimensions, written } from "../panels/dimensions.ts";
+import { dimensions } from "../panels/dimensions.ts";
 import { found } from "../panels/found.ts";
 import { liveState } from "../panels/live_state.ts";
 import { measured } from "../panels/measured.ts";
@@ -13,6 +13,7 @@ import type { Scene, Texts, TimeAxis } from "../scene/data.ts";
 import { dragging } from "./dragging.ts";
 import type { LiveModel } from "./live_model.ts";
 import { sceneOf } from "./live_scene.ts";
+import { sixDigits } from "../scene/numbers.ts";
 
 export interface LivePage {
   readonly live: LiveModel;
@@ -65,7 +66,7 @@ export function livePage({ live, drawing, charts, scene, time, texts, locked }: 
     shapes,
     said: (off) => {
       hint.hidden = off === null;
-      const far = off === null ? "" : `${written(off / live.data.length)} ${scene.length_unit}`;
+      const far = off === null ? "" : `${sixDigits(off / live.data.length)} ${scene.length_unit}`;
       hint.textContent = filled(say("live.out_of_reach"), { off: far });
     },
   });

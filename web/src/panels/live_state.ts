@@ -1,14 +1,14 @@
 // What the page says of a model that was changed: that nothing verifies it, what it can't do, how to get back, and the
 // lines of the file that would make it so.
 
-import { html } from "../drawing/elements.ts";
+import { html, write } from "../drawing/elements.ts";
 import { filled, type Say } from "../drawing/words.ts";
 import type { LiveModel } from "../live/live_model.ts";
 import { changedLines } from "../live/changed_lines.ts";
 import { closureError } from "../live/closure_error.ts";
 import type { Scene, TimeAxis } from "../scene/data.ts";
 import { copy } from "./copy.ts";
-import { written } from "./dimensions.ts";
+import { sixDigits } from "../scene/numbers.ts";
 
 export interface LiveState {
   update(scene: Scene): void;
@@ -55,7 +55,7 @@ export function liveState(
     const { changed, motion } = live;
     document.documentElement.classList.toggle("live-changed", changed);
     badge.hidden = !changed;
-    badge.textContent = `◐ ${say("live.changed")}`;
+    write(badge, `◐ ${say("live.changed")}`);
     for (const button of [reset, copied]) button.hidden = !changed;
     bar.toggleAttribute("hidden", !changed && live.sound && !live.undoable);
     undo.hidden = !live.undoable;
@@ -85,7 +85,7 @@ function stateLine(live: LiveModel, say: Say, { unit }: Pick<TimeAxis, "unit">, 
     higher: data.program.higher[failure.index]?.group,
     number: "",
   };
-  const at = `${written(data.times[failure.pose]! / data.second)} ${unit}`;
+  const at = `${sixDigits(data.times[failure.pose]! / data.second)} ${unit}`;
   return filled(say(`live.failed_${failure.kind}`), { name: names[failure.kind] ?? "", time: at });
 }
 
