@@ -13,13 +13,14 @@ import pytest
 import linkwright as lw
 from helpers.browsers import chromium
 from helpers.examples import four_bar
+from helpers.opened import Opened, opened
 from linkwright.compilation import compile_mechanism
 from linkwright.model.document import load
 from linkwright.report.build import report_data
 from linkwright.report.page import page
 from linkwright.results import Run
 from linkwright.words import in_language
-from report.test_report_browser import HOSTILE, Opened
+from report.test_report_browser import HOSTILE
 
 pytestmark = pytest.mark.browser
 pytest.importorskip("playwright.sync_api")
@@ -54,17 +55,7 @@ def pages(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
 
 @pytest.fixture
 def show(browser: Any, pages: Callable[[str], Path]) -> Iterator[Callable[..., Opened]]:
-    opened: list[Opened] = []
-
-    def open_page(name: str, **settings: Any) -> Opened:
-        opened.append(Opened(browser, pages(name), **settings))
-        return opened[-1]
-
-    yield open_page
-    for view in opened:
-        assert view.complaints == []
-        assert [url for url in view.requests if not url.startswith("file:")] == []
-        view.context.close()
+    yield from opened(browser, pages)
 
 
 def rested(view: Opened) -> None:

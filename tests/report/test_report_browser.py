@@ -14,6 +14,7 @@ import pytest
 
 from helpers.accuracies import outcome
 from helpers.browsers import chromium
+from helpers.opened import Opened, opened, written
 from helpers.workspaces import five_bar, performed
 from linkwright.presentation.blocks import Chart, Charts, Check, Checks, Copied, Measures, Section, Table
 from linkwright.report import ReportData, Scene, page
@@ -32,49 +33,9 @@ def browser() -> Iterator[Any]:
     yield from chromium()
 
 
-class Opened:
-    """A page on screen with everything it complained about."""
-
-    def __init__(self, browser: Any, path: Path, **settings: Any) -> None:
-        settings = {"viewport": {"width": 1400, "height": 900}, "reduced_motion": "reduce"} | settings
-        self.context = browser.new_context(**settings)
-        self.context.set_offline(True)
-        self.page = self.context.new_page()
-        self.complaints: list[str] = []
-        self.requests: list[str] = []
-        self.page.on("console", lambda m: self.complaints.append(m.text))
-        self.page.on("pageerror", lambda e: self.complaints.append(str(e)))
-        self.page.on("request", lambda r: self.requests.append(r.url))
-        self.page.goto(path.as_uri())
-        self.slider = self.page.get_by_role("slider", name="time")
-
-    def pin(self, name: str) -> complex:
-        """Centre of a point's circle on the screen, in pixels, y up."""
-        box = self.page.locator(f'#drawing [data-point="{name}"]').bounding_box()
-        return complex(box["x"] + box["width"] / 2, -box["y"] - box["height"] / 2)
-
-    def legend(self, plot: int) -> list[str]:
-        texts = self.page.locator("figure.plot").nth(plot).locator(".legend output").all_inner_texts()
-        return [text.replace("−", "-") for text in texts]
-
-    def settle(self) -> None:
-        """Two frames: plots draw in the one after a change."""
-        self.page.evaluate("() => new Promise(r => requestAnimationFrame(() => requestAnimationFrame(r)))")
-
-
 @pytest.fixture
 def show(browser: Any, tmp_path: Path) -> Iterator[Any]:
-    opened: list[Opened] = []
-
-    def open_(data: ReportData, **settings: Any) -> Opened:
-        path = tmp_path / f"report{len(opened)}.html"
-        path.write_text(page(data), encoding="utf-8")
-        opened.append(Opened(browser, path, **settings))
-        return opened[-1]
-
-    yield open_
-    for each in opened:
-        each.context.close()
+    yield from opened(browser, written(tmp_path))
 
 
 @pytest.fixture

@@ -94,14 +94,15 @@ class SpringData(TypedDict):
     look: Literal["coil", "strut"]
 
 
-ArrowKind = Literal["velocity", "acceleration", "reaction", "load", "weight"]
+ArrowKind = Literal["velocity", "acceleration", "reaction", "load", "weight", "moment"]
 
 
 class ArrowData(TypedDict):
-    """An arrow of a live report: the labels of the two ``rows`` of its vector, in ``unit``.
+    """An arrow of a live report: the labels of the two ``rows`` of its vector, or of the one of a moment (positive
+    counter-clockwise), in ``unit``.
 
     It begins at a point, ``at`` = [link, point], or at the ``places`` in two other rows, in the length unit. ``name``
-    is what it belongs to: a point, a reaction, a load, a link.
+    is what it belongs to: a point, a reaction, a load, a link, a torque.
     """
 
     kind: ArrowKind

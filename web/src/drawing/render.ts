@@ -5,12 +5,13 @@
 
 import { clamp } from "../scene/numbers.ts";
 import { locate } from "../scene/times.ts";
+import type { Arrow } from "./arrows.ts";
 import { controls } from "./controls.ts";
 import type { Drawing, Listener, RenderOptions } from "./drawing.ts";
 import { frame } from "./frame.ts";
 import { hover } from "./hover.ts";
 import { type Drawn, draw } from "./picture.ts";
-import { onPicture, pinAt } from "./pick.ts";
+import { arrowAt, onPicture, pinAt } from "./pick.ts";
 import type { Pin } from "./pins.ts";
 import { playback } from "./playback.ts";
 import { usual } from "./seen.ts";
@@ -108,7 +109,9 @@ export function render({
     fit: fitAll,
   });
   const row = showRow(root, facts, seen, say, layout);
-  const pointed = hover({ stage, picture: drawing, say, pick, changed: () => show() });
+  const pickArrow = (x: number, y: number, within: number): Arrow | null =>
+    arrowAt(facts, picture!.view, seen.arrows, now, onPicture(drawing, x, y), within);
+  const pointed = hover({ stage, picture: drawing, say, pick, pickArrow, changed: () => show() });
   const frames = playback(
     (seconds) => goTo(first + ((now - first + seconds * perSecond * Number(ui.speed.value)) % (last - first))),
     (playing) => {

@@ -8,12 +8,14 @@ const LIGHT =
   "--lw-ink:#1d2733;--lw-muted:#5b6876;--lw-paper:#fff;--lw-line:#d5dbe2;--lw-grid:#eef1f4;--lw-warn:#b3261e;" +
   "--lw-accent:#1f63a8;--lw-c0:#1f6fb5;--lw-c1:#c2571a;--lw-c2:#23835a;--lw-c3:#8250a8;--lw-c4:#9a7700;" +
   "--lw-c5:#0d8495;--lw-c6:#b8336a;--lw-c7:#5d6b7a;" +
-  "--lw-velocity:#00796b;--lw-acceleration:#b45309;--lw-reaction:#c2185b;--lw-load:#7b1fa2;--lw-weight:#5d4037;";
+  "--lw-velocity:#00796b;--lw-acceleration:#b45309;--lw-reaction:#c2185b;--lw-load:#7b1fa2;--lw-weight:#5d4037;" +
+  "--lw-moment:#3949ab;";
 const DARK =
   "--lw-ink:#e6ebf0;--lw-muted:#9aa7b4;--lw-paper:#171d24;--lw-line:#3a4551;--lw-grid:#212932;--lw-warn:#ff8a80;" +
   "--lw-accent:#7db8f0;--lw-c0:#6cb2f0;--lw-c1:#f2935c;--lw-c2:#62c795;--lw-c3:#c39be6;--lw-c4:#dcb93f;" +
   "--lw-c5:#55c7d6;--lw-c6:#ec7ba6;--lw-c7:#a3b1c0;" +
-  "--lw-velocity:#4fd6c2;--lw-acceleration:#f5b056;--lw-reaction:#ff7fae;--lw-load:#d39bf0;--lw-weight:#c9a99c;";
+  "--lw-velocity:#4fd6c2;--lw-acceleration:#f5b056;--lw-reaction:#ff7fae;--lw-load:#d39bf0;--lw-weight:#c9a99c;" +
+  "--lw-moment:#a9b4ff;";
 const KINDS = ARROW_KINDS.map((kind) => `.lw-${kind}{--a:var(--lw-${kind})}`).join("");
 const COLOURS = Array.from({ length: PALETTE }, (_, i) => `.lw-c${i}{--c:var(--lw-c${i})}`).join("");
 
