@@ -1,5 +1,5 @@
-// Arrows of velocities, accelerations and forces, each as long as its value is large; of moments round their places, with
-// a radius that is.
+// Arrows of velocities, accelerations and forces, each as long as its value is large; of moments arcs round their places,
+// with a radius that is.
 
 import { type ArrowData, type ArrowKind, known, type LinkData, type Point } from "../scene/data.ts";
 import type { Scene, Values } from "../scene/data.ts";
