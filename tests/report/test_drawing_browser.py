@@ -177,6 +177,43 @@ def test_zooming_keeps_the_place_under_the_pointer_and_fit_goes_back(show: Any) 
     assert view.pin("A") == home["A"]
 
 
+def test_keys_pan_and_zoom_while_the_drawing_has_the_focus(show: Any) -> None:
+    view = show(reported("paper_feeder"))
+    keys, home = view.page.keyboard, {name: view.pin(name) for name in "AD"}
+    view.at(20)
+    slider, hint = view.drawing.get_by_role("slider", name="time"), view.drawing.locator(".lw-keys")
+    assert not hint.is_visible()
+    view.picture.focus()
+    keys.press("Shift+Tab")
+    keys.press("Tab")
+    assert hint.is_visible() and hint.get_attribute("id") == view.picture.get_attribute("aria-describedby")
+    assert all(key in hint.inner_text() for key in "+−0")
+    scroll = view.page.evaluate("scrollY")
+    for pressed, by in (("ArrowRight", -40), ("ArrowDown", 40j), ("Shift+ArrowLeft", 160), ("Shift+ArrowUp", -160j)):
+        before = view.pin("A")
+        keys.press(pressed)
+        view.settle()
+        assert view.pin("A") - before == pytest.approx(by, abs=0.05)
+    assert view.page.evaluate("scrollY") == scroll and slider.input_value() == "20"  # neither page nor time moved
+    keys.press("0")
+    view.settle()
+    assert {name: view.pin(name) for name in "AD"} == home
+    for pressed, factor in (("+", 1.4), ("-", 1.0), ("-", 1 / 1.4), ("=", 1.0)):
+        keys.press(pressed)
+        view.settle()
+        assert abs(view.pin("D") - view.pin("A")) == pytest.approx(factor * abs(home["D"] - home["A"]), rel=1e-3)
+    for pressed in ("Control+0", "a", "Alt+ArrowUp"):
+        before = view.pin("A")
+        keys.press(pressed)
+        view.settle()
+        assert view.pin("A") == before
+    slider.focus()
+    before = view.pin("A")
+    keys.press("ArrowRight")
+    view.settle()
+    assert slider.input_value() == "21" and view.pin("A") == before  # the time has its own keys
+
+
 def test_without_a_zoom_the_ground_is_not_dragged(show: Any) -> None:
     view = show(reported("paper_feeder"))
     box, a = view.picture.bounding_box(), view.pin("A")

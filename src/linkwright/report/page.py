@@ -75,6 +75,7 @@ SCRIPT_WORDS = (
     "report.copied",
     "report.dimension_lines",
     "report.drawing",
+    "report.drawing_keys",
     "report.fail",
     "report.find_name",
     "report.fit",

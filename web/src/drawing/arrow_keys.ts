@@ -1,4 +1,4 @@
-// How long arrows are: of each kind a short one with its value, as a scale bar is for lengths; of moments a small circle.
+// How long arrows are: of each kind a short one with its value, as a scale bar is for lengths; of moments a small arc.
 
 import type { ArrowKind } from "../scene/data.ts";
 import { nice } from "../scene/numbers.ts";

@@ -1,5 +1,5 @@
-// Arrows of velocities, accelerations and forces, each as long as its value is large; of moments round their places, with
-// a radius that is.
+// Arrows of velocities, accelerations and forces, each as long as its value is large; of moments arcs round their
+// places, with a radius that is.
 
 import { type ArrowData, type ArrowKind, known, type LinkData, type Point } from "../scene/data.ts";
 import type { Scene, Values } from "../scene/data.ts";
@@ -13,8 +13,8 @@ import { round } from "./written.ts";
 
 export const ARROW_KINDS: readonly ArrowKind[] = ["velocity", "acceleration", "reaction", "load", "weight", "moment"];
 
-/** The longest arrow of a kind over the motion, of moments the largest radius, in pixels: a share of the drawing's width,
- * between bounds. */
+/** The longest arrow of a kind over the motion, of moments the largest radius, in pixels: a share of the drawing's
+ * width, between bounds. */
 const LONGEST = { straight: { share: 1 / 9, least: 36, most: 70 }, round: { share: 1 / 15, least: 22, most: 40 } };
 /** Length and half the width of an arrow's head, in pixels. */
 const HEAD = { length: 9, half: 3.6 };

@@ -40,8 +40,8 @@ export function pinAt(
   return best;
 }
 
-/** The arrow next to a place of the drawing at a time, among those of the kinds that are seen, by factors of their usual
- * length; none farther away than `within` pixels. */
+/** The arrow next to a place of the drawing at a time, among those of the kinds that are seen, by factors of their
+ * usual length; none farther away than `within` pixels. */
 export function arrowAt(
   facts: Facts,
   view: View,

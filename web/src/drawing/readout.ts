@@ -1,5 +1,5 @@
-// What there is to say of a point at a time: where it is, how fast, the largest reaction of its pin, the moments there. Of
-// an arrow: its value.
+// What there is to say of a point at a time: where it is, how fast, the largest reaction of its pin, the moments there.
+// Of an arrow: its value.
 
 import type { ArrowKind, Point } from "../scene/data.ts";
 import { type Arrow, beginning, vectorOf } from "./arrows.ts";

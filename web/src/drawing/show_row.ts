@@ -30,7 +30,8 @@ export function showRow(root: Element, facts: Facts, seen: Seen, say: Say, chang
     const group = html("span", { class: `lw-kind lw-${kind}` }, row);
     const box = check(group, names[kind], false, "");
     const scale = html("span", { class: "lw-scale-of", hidden: "" }, group);
-    const label = filled(say(kind === "moment" ? "arrow_radius" : "arrow_length"), { name: names[kind] });
+    const round = kind === "moment";
+    const label = filled(say(round ? "arrow_radius" : "arrow_length"), { name: names[kind] });
     const slider = html("input", { type: "range", min: -2, max: 2, step: 0.25, value: 0, "aria-label": label }, scale);
     const key = svg("svg", { class: "lw-key", height: 10, "aria-hidden": "true" }, scale);
     const text = html("output", { "aria-live": "off" }, scale);

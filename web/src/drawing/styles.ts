@@ -87,6 +87,9 @@ ${KINDS}
 .lw-zoomed{cursor:move}
 .lw-zoomed.lw-grabbable{cursor:grab}
 .lw-panning,.lw-zoomed.lw-dragging{cursor:grabbing}
+.lw-keys{display:none;position:absolute;left:8px;right:8px;bottom:6px;margin:0;padding:2px 8px;border-radius:5px;
+  background:var(--lw-paper);border:1px solid var(--lw-line);color:var(--lw-muted);font-size:12px;pointer-events:none}
+.lw-drawing:focus-visible~.lw-keys{display:block}
 .lw-tools{position:absolute;top:6px;right:6px;display:flex;gap:2px;pointer-events:none}
 .lw-tools button{pointer-events:auto;font:12px/1 inherit;font-family:inherit;color:var(--lw-muted);min-width:28px;
   height:28px;padding:0 6px;
@@ -133,5 +136,5 @@ ${KINDS}
 .lw-time{flex:none;font-variant-numeric:tabular-nums;text-align:right;white-space:nowrap}
 .lw select{font:inherit;color:inherit;background:var(--lw-paper);border:1px solid var(--lw-line);
   border-radius:4px;padding:2px 4px}
-.lw :is(button,input,select):focus-visible{outline:2px solid var(--lw-accent);outline-offset:2px}
+.lw :is(button,input,select,svg.lw-drawing):focus-visible{outline:2px solid var(--lw-accent);outline-offset:2px}
 `;

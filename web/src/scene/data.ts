@@ -82,8 +82,8 @@ export interface AreaData {
 
 export type ArrowKind = "velocity" | "acceleration" | "reaction" | "load" | "weight" | "moment";
 
-/** An arrow by the labels of the rows of its vector, or of the one of a moment, counter-clockwise positive, in `unit`; it
- * begins at a point of a link, or at other rows. */
+/** An arrow by the labels of the rows of its vector, or of the one of a moment, counter-clockwise positive, in `unit`;
+ * it begins at a point of a link, or at other rows. */
 export interface ArrowData {
   readonly kind: ArrowKind;
   /** What it belongs to: a point, a reaction, a load, a link, a torque. */
