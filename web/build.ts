@@ -27,6 +27,7 @@ const page = (entry: string, outfile: string) =>
 await Promise.all([
   page("languages", "presentation/assets/languages.js"),
   page("report", "report/assets/report.js"),
+  page("report_studies", "report/assets/report_studies.js"),
   page("sheet", "exports/process_simulate/sheet.js"),
   build({
     ...shared,

@@ -128,6 +128,12 @@ def ticks(low: float, high: float, count: int) -> list[float]:
     return [k * step for k in range(first, last + 1)]
 
 
+def round_below(value: float) -> float:
+    """The largest of 1, 2 or 5 times a power of ten that isn't above a positive value."""
+    base = 10.0 ** np.floor(np.log10(value))
+    return float(f"{base * max(m for m in (1, 2, 5) if m * base <= value * (1 + 1e-9)):.1g}")
+
+
 def number_text(value: float) -> str:
     """A number at an axis."""
     return f"{value:.7g}".replace("-", "−")

@@ -6,6 +6,8 @@ from functools import partial
 
 from linkwright.drawing.charts import named
 from linkwright.findings import Said, Term, Text
+from linkwright.presentation.blocks import Chart, Charts
+from linkwright.presentation.chart_data import pooled
 from linkwright.presentation.html_file import asset, html_file
 from linkwright.presentation.payload import Exact
 from linkwright.presentation.scripts import built
@@ -46,14 +48,17 @@ LIVE_WORDS = (
 PLOT_WORDS = (
     "axis",
     "components",
+    "contour",
     "default",
     "export",
+    "family",
     "magnitude",
     "no_match",
     "overlay",
     "polar",
     "remove",
     "remove_signal",
+    "reset_zoom",
     "search",
     "view",
 )
@@ -102,7 +107,10 @@ SCRIPT_WORDS = (
 def page(data: ReportData) -> str:
     """The whole report as the text of an HTML file (UTF-8)."""
     blocks: dict[str, object] = {"data": {"time": data["time"], "scene": data["scene"], "plots": data["plots"]}}
-    scripts = [f"/*! uPlot\n{asset(__package__, 'LICENSE.uplot.txt').strip()}\n*/\n{_built('report.js')}"]
+    if charts := _charts(data):
+        blocks["charts"] = Exact(pooled({key: chart.data.plain for key, chart in charts.items()}))
+    script = "report_studies.js" if charts else "report.js"
+    scripts = [f"/*! uPlot\n{asset(__package__, 'LICENSE.uplot.txt').strip()}\n*/\n{_built(script)}"]
     if live := data.get("live"):
         blocks["data"] = {
             "time": {**data["time"], "values": []},
@@ -149,6 +157,12 @@ def _body(data: ReportData) -> str:
     )
 
 
+def _charts(data: ReportData) -> dict[str, Chart]:
+    """The charts that the page's script draws, by their keys."""
+    blocks = (block for part in data["sections"] for block in part.blocks if isinstance(block, Charts))
+    return {chart.key: chart for block in blocks for chart in block.charts if chart.content is not None}
+
+
 def _words(data: ReportData) -> dict[str, object]:
     """The words that the page's scripts read: texts by their keys, and what they show of the data in words."""
     live = data.get("live")
@@ -162,6 +176,7 @@ def _words(data: ReportData) -> dict[str, object]:
         "locked": [str(one["locked"]) for one in live["numbers"]] if live else [],
         "kinds": {kind: say(f"report.kind.{kind}") for kind in KINDS} if live else {},
         "column": "t" if data["time"]["label"] == Said("plot.time") else str(data["time"]["label"]),
+        "charts": {key: [str(chart.title), *map(str, chart.data.texts)] for key, chart in _charts(data).items()},
         "areas": [str(area["name"]) for area in data["scene"].get("areas", ())],
     }
 
