@@ -48,17 +48,14 @@ LIVE_WORDS = (
 PLOT_WORDS = (
     "axis",
     "components",
-    "contour",
     "default",
     "export",
-    "family",
     "magnitude",
     "no_match",
     "overlay",
     "polar",
     "remove",
     "remove_signal",
-    "reset_zoom",
     "search",
     "view",
 )
@@ -102,6 +99,8 @@ SCRIPT_WORDS = (
     "report.zoom_out",
 )
 """The keys that the page's scripts read."""
+STUDY_WORDS = tuple(f"report.plots.{key}" for key in ("contour", "family", "reset_zoom"))
+"""The same of a page with charts of studies."""
 
 
 def page(data: ReportData) -> str:
@@ -131,7 +130,7 @@ def page(data: ReportData) -> str:
         scripts=scripts,
         words=partial(_words, data),
         before=_built("uplot.min.css") + "\n",
-        style="\n" + asset(__package__, "mechanism.css"),
+        style="\n" + asset(__package__, "mechanism.css") + (asset(__package__, "studies.css") if charts else ""),
     )
 
 
@@ -165,9 +164,9 @@ def _charts(data: ReportData) -> dict[str, Chart]:
 
 def _words(data: ReportData) -> dict[str, object]:
     """The words that the page's scripts read: texts by their keys, and what they show of the data in words."""
-    live = data.get("live")
+    live, charts = data.get("live"), _charts(data)
     return {
-        "texts": {key: say(key, **PLACES) for key in SCRIPT_WORDS},
+        "texts": {key: say(key, **PLACES) for key in (*SCRIPT_WORDS, *(STUDY_WORDS if charts else ()))},
         "time": str(data["time"]["label"]),
         "axis": str(named(data["time"]["label"], data["time"]["unit"])),
         "titles": [str(plot["title"]) for plot in data["plots"]],
@@ -176,7 +175,7 @@ def _words(data: ReportData) -> dict[str, object]:
         "locked": [str(one["locked"]) for one in live["numbers"]] if live else [],
         "kinds": {kind: say(f"report.kind.{kind}") for kind in KINDS} if live else {},
         "column": "t" if data["time"]["label"] == Said("plot.time") else str(data["time"]["label"]),
-        "charts": {key: [str(chart.title), *map(str, chart.data.texts)] for key, chart in _charts(data).items()},
+        "charts": {key: [str(chart.title), *map(str, chart.data.texts)] for key, chart in charts.items()},
         "areas": [str(area["name"]) for area in data["scene"].get("areas", ())],
     }
 

@@ -2,7 +2,7 @@
 
 import { clamp } from "../scene/numbers.ts";
 import { nearest } from "../scene/times.ts";
-import { HEIGHT, chart } from "./chart.ts";
+import { type Chart, chart, HEIGHT } from "./chart.ts";
 import { chartSvg } from "./chart_svg.ts";
 import { csvText } from "./csv.ts";
 import type { Curves } from "./curves.ts";
@@ -24,14 +24,13 @@ export function graphView(curves: Curves, place: StudyPlace): StudyView {
     toggle(i, show) {
       if (show) hidden.delete(i);
       else hidden.add(i);
-      drawn.uplot.setSeries(i + 1, { show });
+      drawn?.uplot.setSeries(i + 1, { show });
     },
   });
   const [place_] = readout(place.legend, [x.name]);
-  const drawn = chart(place.area, curves, place.label, { colour: place.colour, window, goTo: (to) => goTo(to) });
-  drawn.follow(index);
+  let drawn: Chart | null = null;
   const show = (): void => {
-    drawn.follow(index);
+    drawn?.follow(index);
     const value = at[index];
     const name = curves.names?.[index] ?? (value === undefined ? "–" : `${figure(value)} ${x.unit}`.trim());
     place_!.textContent = name;
@@ -46,14 +45,20 @@ export function graphView(curves: Curves, place: StudyPlace): StudyView {
   };
   const zoom = (from: number, to: number): void => {
     window = [from, to];
-    drawn.zoom(window);
+    drawn?.zoom(window);
     place.zoomed(from === x.ends[0] && to === x.ends[1]);
-    requestAnimationFrame(() => drawn.follow(index));
+    requestAnimationFrame(() => drawn?.follow(index));
   };
   const reset = (): void => zoom(...x.ends);
   const nothing = (): void => {};
-  pointing(drawn.uplot, { goTo, zoom, unzoom: reset, hold: nothing, release: nothing, keep: nothing, drop: nothing });
-  drawn.uplot.over.tabIndex = 0;
+  const draw = (): Chart => {
+    const made = chart(place.area, curves, place.label, { colour: place.colour, window, goTo });
+    hidden.forEach((i) => made.uplot.setSeries(i + 1, { show: false }));
+    made.follow(index);
+    pointing(made.uplot, { goTo, zoom, unzoom: reset, hold: nothing, release: nothing, keep: nothing, drop: nothing });
+    made.uplot.over.tabIndex = 0;
+    return made;
+  };
   const steps = (by: number): void => {
     index = index < 0 ? nearest(at, (window[0] + window[1]) / 2) : clamp(index + by, 0, at.length - 1);
     show();
@@ -64,6 +69,9 @@ export function graphView(curves: Curves, place: StudyPlace): StudyView {
     zoom(Math.max(low, x.ends[0]), Math.min(high, x.ends[1]));
   };
   return {
+    seen() {
+      drawn ??= draw();
+    },
     reset,
     key(key, far) {
       const by = far ? 10 : 1;
@@ -75,8 +83,8 @@ export function graphView(curves: Curves, place: StudyPlace): StudyView {
       else return false;
       return true;
     },
-    sized: () => drawn.sized(),
-    themed: () => drawn.uplot.redraw(false),
+    sized: () => drawn?.sized(),
+    themed: () => drawn?.uplot.redraw(false),
     csv: () => csvText(curves, { name: x.name, unit: x.unit, values: x.values }, ""),
     svg: (width) =>
       chartSvg(curves, {
@@ -92,6 +100,6 @@ export function graphView(curves: Curves, place: StudyPlace): StudyView {
       const paper = paperChart(place.area, curves, window, place.colour);
       return () => paper.remove();
     },
-    remove: () => drawn.destroy(),
+    remove: () => drawn?.destroy(),
   };
 }

@@ -10,6 +10,10 @@ import { hue, scaleSvg } from "./scale_svg.ts";
 import type { Layer, Plane, SpotsLayer } from "./study.ts";
 import { element, type Sheet, text } from "./svg_parts.ts";
 
+/** How high the picture is. */
+export const heightOf = (plane: Plane, frame: Frame, sheet: PlaneSheet): number =>
+  frame.height + scaleSvg(plane, frame, sheet).height;
+
 /** The picture without the element around it, and its height. */
 export function planeSvg(plane: Plane, frame: Frame, sheet: PlaneSheet): Drawn {
   const { colour, id } = sheet;

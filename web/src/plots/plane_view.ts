@@ -11,8 +11,8 @@ import { planeCsv } from "./plane_csv.ts";
 import { planeFile } from "./plane_file.ts";
 import { type Frame, frameOf } from "./plane_frame.ts";
 import { readingAt } from "./plane_readout.ts";
-import type { PlaneSheet } from "./plane_sheet.ts";
-import { planeSvg } from "./plane_svg.ts";
+import type { Drawn, PlaneSheet } from "./plane_sheet.ts";
+import { heightOf, planeSvg } from "./plane_svg.ts";
 import type { Plane } from "./study.ts";
 import type { Box } from "./study_raw.ts";
 import { readout, type StudyPlace, type StudyView } from "./study_view.ts";
@@ -58,11 +58,14 @@ export function planeView(plane: Plane, place: StudyPlace): StudyView {
   let box: Box = plane.box;
   let frame: Frame;
   let at: [number, number] | null = null;
+  let inSight = false;
 
   const draw = (): void => {
     const width = place.area.clientWidth || 400;
+    const on = sheet((name) => `var(--lw-${name})`, width, id);
     frame = frameOf(plane, box, width);
-    const { inside, height } = planeSvg(plane, frame, sheet((name) => `var(--lw-${name})`, width, id));
+    const still = (): Drawn => ({ inside: "", height: heightOf(plane, frame, on) });
+    const { inside, height } = inSight ? planeSvg(plane, frame, on) : still();
     picture.setAttribute("viewBox", `0 0 ${width} ${height}`);
     content.innerHTML = inside;
     follow();
@@ -152,6 +155,11 @@ export function planeView(plane: Plane, place: StudyPlace): StudyView {
   );
   draw();
   return {
+    seen() {
+      if (inSight) return;
+      inSight = true;
+      draw();
+    },
     reset,
     sized() {
       if (place.area.clientWidth && place.area.clientWidth !== picture.viewBox.baseVal.width) draw();

@@ -23,9 +23,22 @@ export function studyCharts(
     return studyChart(box, studyOf(data, key, words[key] ?? []), context);
   });
   const byBox = new Map<Element, StudyChart>(all.map((chart) => [chart.box, chart]));
+  const near = new Set<StudyChart>();
+  /** Of charts for other values of parameters the one that is chosen is seen. */
+  const draw = (): void => {
+    for (const chart of near) {
+      if (getComputedStyle(chart.box).visibility === "visible") chart.seen();
+    }
+  };
   const sight = new IntersectionObserver((changes) => {
-    for (const { target, isIntersecting } of changes) if (isIntersecting) byBox.get(target)?.seen();
+    for (const { target, isIntersecting } of changes) {
+      const chart = byBox.get(target)!;
+      if (isIntersecting) near.add(chart);
+      else near.delete(chart);
+    }
+    draw();
   });
+  for (const sliders of document.querySelectorAll(".sliders")) sliders.addEventListener("input", draw);
   const sized = new ResizeObserver((changes) => {
     for (const { target } of changes) byBox.get(target)?.sized();
   });

@@ -32,7 +32,6 @@ export function studyChart(box: HTMLElement, study: Study, { say, colour }: { sa
   const family = "plane" in study ? familyOf(study.plane) : null;
   const bar = html("span", { class: "plot-tools screen" }, head);
   let asFamily = false;
-  let view: StudyView | null = null;
   let leave: (() => void) | null = null;
 
   const place: StudyPlace = {
@@ -46,17 +45,9 @@ export function studyChart(box: HTMLElement, study: Study, { say, colour }: { sa
       back.hidden = whole;
     },
   };
-  const draw = (): void => {
-    view?.remove();
-    area.replaceChildren();
-    back.hidden = true;
-    if ("curves" in study) view = graphView(study.curves, place);
-    else if (family && asFamily) view = graphView(familyCurves(study.plane, family), place);
-    else view = planeView(study.plane, place);
-  };
-  const drawn = (): StudyView => {
-    if (!view) draw();
-    return view!;
+  const make = (): StudyView => {
+    if ("curves" in study) return graphView(study.curves, place);
+    return family && asFamily ? graphView(familyCurves(study.plane, family), place) : planeView(study.plane, place);
   };
   if (family) {
     const select = html("select", { "aria-label": say("plots.view") }, bar);
@@ -64,32 +55,37 @@ export function studyChart(box: HTMLElement, study: Study, { say, colour }: { sa
     html("option", { value: "family" }, select, say("plots.family"));
     select.addEventListener("change", () => {
       asFamily = select.value === "family";
-      draw();
+      view.remove();
+      area.replaceChildren();
+      back.hidden = true;
+      view = make();
+      view.seen();
     });
   }
   const back = button(bar, say("plots.reset_zoom"), WHOLE);
   back.hidden = true;
-  back.addEventListener("click", () => view?.reset());
+  back.addEventListener("click", () => view.reset());
   menu(bar, say("plots.export"), (kind) => void save(kind));
+  let view = make();
   area.addEventListener("keydown", (event) => {
     if (event.altKey || event.ctrlKey || event.metaKey) return;
-    if (view?.key(event.key, event.shiftKey)) event.preventDefault();
+    if (view.key(event.key, event.shiftKey)) event.preventDefault();
   });
 
   const save = async (kind: FileKind): Promise<void> => {
     const name = `${fileName(title)}.${kind}`;
-    if (kind === "csv") return download(name, new Blob([drawn().csv()], { type: "text/csv" }));
-    const text = drawn().svg(Math.max(320, Math.round(box.clientWidth || 480)));
+    if (kind === "csv") return download(name, new Blob([view.csv()], { type: "text/csv" }));
+    const text = view.svg(Math.max(320, Math.round(box.clientWidth || 480)));
     download(name, kind === "svg" ? new Blob([text], { type: "image/svg+xml" }) : await png(text));
   };
   return {
     box,
     study,
-    seen: () => void drawn(),
-    sized: () => view?.sized(),
-    themed: () => view?.themed(),
+    seen: () => view.seen(),
+    sized: () => view.sized(),
+    themed: () => view.themed(),
     toPaper() {
-      leave ??= drawn().toPaper();
+      leave ??= view.toPaper();
     },
     toScreen() {
       leave?.();

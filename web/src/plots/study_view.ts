@@ -5,6 +5,8 @@ import type { Say } from "../drawing/words.ts";
 import type { Colour } from "./looks.ts";
 
 export interface StudyView {
+  /** Draws it, in a place that is as high already; before, it has its legend alone. */
+  seen(): void;
   /** Anew after the place got another width. */
   sized(): void;
   /** All of it in sight again. */
