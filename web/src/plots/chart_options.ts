@@ -1,10 +1,11 @@
 // How a plot looks, on the screen and, enlarged for its finer dots, on paper.
 
 import uPlot from "uplot";
-import { type Curves, limits, sideExtent } from "./curves.ts";
+import { type Curve, type Curves, limits, sideExtent } from "./curves.ts";
 import { shortened, tick } from "./figure.ts";
 import { clipped, scaled, trace } from "./traces.ts";
 import { type Colour, colourOf, dashOf, faded } from "./looks.ts";
+import "./of_studies.ts";
 import { OPACITY, outline } from "./outline.ts";
 
 const MOUSE = ["mousedown", "mouseup", "mousemove", "mouseleave", "mouseenter", "click", "dblclick"] as const;
@@ -54,7 +55,7 @@ export function chartOptions(shown: Shown, colour: Colour, { width, height, scal
     const label = called ?? (units.length > 1 ? units[i] : "");
     return label ? { label, labelSize: 15 * scale, labelGap: 0 } : {};
   };
-  const horizontal = { ...axis, ...below(names), label: x.label };
+  const horizontal = { ...axis, ...(!globalThis.WITHOUT_STUDIES ? below(names) : {}), label: x.label };
   const vertical = { ...axis, space: 25 * scale, size: longest };
   const other: uPlot.Axis = { ...vertical, ...unitLabel(1), scale: "right", side: 1, grid: { show: false } };
   return {
@@ -93,7 +94,7 @@ export function chartOptions(shown: Shown, colour: Colour, { width, height, scal
           dash: dashOf(curve, i).map((part) => part * scale),
           points: { show: x.values.length < 2 && !curve.look },
           ...(x.ascends ? {} : { paths: overAxis(shown) }),
-          ...(curve.look && curve.look.kind !== "line" ? filledLook(shown, i, colour, scale) : {}),
+          ...(!globalThis.WITHOUT_STUDIES && filled(curve) ? filledLook(shown, i, colour, scale) : {}),
         }),
       ),
     ],
@@ -109,6 +110,8 @@ const below = (names: readonly string[] | undefined): Partial<uPlot.Axis> =>
         values: ({ bbox }) => names.map((name) => shortened(name, bbox.width / devicePixelRatio / names.length / 7)),
       }
     : {};
+
+const filled = ({ look }: Curve): boolean => look !== undefined && look.kind !== "line";
 
 /** A look that is filled. */
 const filledLook = (shown: Shown, i: number, colour: Colour, scale: number): Partial<uPlot.Series> => ({

@@ -3,6 +3,7 @@
 import { type Curve, type Curves, limits, sideExtent } from "./curves.ts";
 import { shortened, tick } from "./figure.ts";
 import { colourName, colourOf, dashOf } from "./looks.ts";
+import "./of_studies.ts";
 import { OPACITY, outline } from "./outline.ts";
 import { polarSvg } from "./polar.ts";
 import { element, escaped, pathOf, type Sheet, text } from "./svg_parts.ts";
@@ -85,7 +86,7 @@ function axes(curves: Curves, { width, height, colour, window, shown }: PictureO
     out += element("path", { d: `M${x} 6V${bottom}`, stroke: colour("grid") });
     out += text(tick(value), { x, y: bottom + 14, "text-anchor": "middle", ...small });
   }
-  names?.forEach((name, i) => {
+  if (!globalThis.WITHOUT_STUDIES) names?.forEach((name, i) => {
     const label = shortened(name, (right - left) / names.length / LETTER);
     out += text(label, { x: across(i + 0.5).toFixed(2), y: bottom + 14, "text-anchor": "middle", ...small });
   });
@@ -111,7 +112,7 @@ function axes(curves: Curves, { width, height, colour, window, shown }: PictureO
     const place = { x: right - 4, y: (y - 4).toFixed(2), "text-anchor": "end" };
     inside += text(label, { ...place, "font-size": 11, fill: colour("warn") });
   }
-  curves.uprights?.forEach(({ value, text: label }, i) => {
+  if (!globalThis.WITHOUT_STUDIES) curves.uprights?.forEach(({ value, text: label }, i) => {
     const x = across(value);
     inside += element("path", { d: `M${x.toFixed(2)} 6V${bottom}`, stroke: colour("warn"), "stroke-dasharray": "6 4" });
     const late = x > (left + right) / 2;
@@ -126,7 +127,7 @@ function axes(curves: Curves, { width, height, colour, window, shown }: PictureO
   }
   for (const { curve, i } of drawn) {
     const { look, values } = curve;
-    if (look && look.kind !== "line") {
+    if (!globalThis.WITHOUT_STUDIES && look && look.kind !== "line") {
       const d = outline(look, curves.x.values, values, across, up(Number(curve.right)));
       inside += element("path", { d, fill: colour(colourOf(curve, i)), "fill-opacity": OPACITY[look.kind] });
       continue;
@@ -155,7 +156,9 @@ const line = (curve: Drawn, i: number, colour: Sheet["colour"]): { stroke: strin
 /** What a curve looks like, in the legend. */
 export function swatch(curve: Drawn, i: number, x: number, y: number, colour: Sheet["colour"]): string {
   const kind = curve.look?.kind ?? "line";
-  if (kind === "line") return element("path", { d: `M${x} ${y}h26`, ...line(curve, i, colour), "stroke-width": 2 });
+  if (globalThis.WITHOUT_STUDIES || kind === "line") {
+    return element("path", { d: `M${x} ${y}h26`, ...line(curve, i, colour), "stroke-width": 2 });
+  }
   const fill = { fill: colour(colourOf(curve, i)), "fill-opacity": OPACITY[kind] };
   return kind === "dots"
     ? element("circle", { cx: x + 13, cy: y, r: 3, ...fill })

@@ -2,6 +2,7 @@
 
 import { known, type Values } from "../scene/data.ts";
 import type { Curves } from "./curves.ts";
+import "./of_studies.ts";
 
 const POWERS = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
@@ -36,9 +37,10 @@ export function csvText(
     columns.push({ name: `${name} x`, unit, values: u }, { name: `${name} y`, unit, values: v });
   }
   for (const { name, unit, values, look } of curves) {
-    if (look?.low) columns.push({ name: `${name} min`, unit, values: look.low }, { name: `${name} max`, unit, values });
-    else columns.push({ name, unit, values });
-    if (!look?.edges) continue;
+    if (!globalThis.WITHOUT_STUDIES && look?.low) {
+      columns.push({ name: `${name} min`, unit, values: look.low }, { name: `${name} max`, unit, values });
+    } else columns.push({ name, unit, values });
+    if (globalThis.WITHOUT_STUDIES || !look?.edges) continue;
     const edges = [0, 1].map((end) => look.edges!.map((pair) => pair[end]!));
     const named = edges.map((values, end) => ({ name: `${x.name} ${end ? "max" : "min"}`, unit: x.unit, values }));
     columns.splice(1, 0, ...named);

@@ -4,6 +4,7 @@ import { known, type Values } from "../scene/data.ts";
 import { locate } from "../scene/times.ts";
 import { type Choice, unitsOf, viewOf } from "./choice.ts";
 import { extent, monotonePieces, type Piece } from "./monotone.ts";
+import "./of_studies.ts";
 import type { Look } from "./outline.ts";
 import type { Level, Place, Signals } from "./signals.ts";
 import { magnitudes, vectorName } from "./vectors.ts";
@@ -175,9 +176,7 @@ export function sideExtent(
   const seen = curves.flatMap((curve, i) => {
     if (curve.right !== right || !shown(i)) return [];
     const ghost = curve.ghost && within(x.ghost ?? x.values, curve.ghost);
-    const { low, edges } = curve.look ?? {};
-    const nought: [number, number] | null = edges ? [0, 0] : null;
-    const lower = low ? within(x.values, low) : nought;
+    const lower = !globalThis.WITHOUT_STUDIES ? lowerEnd(curve, (low) => within(x.values, low)) : null;
     return [within(x.values, curve.values), ghost, lower].filter((each) => each !== null);
   });
   if (!seen.length) return null;
@@ -189,6 +188,12 @@ export function sideExtent(
     [low, high] = [Math.min(low, value), Math.max(high, value)];
   }
   return [low, high];
+}
+
+/** The other end of what is filled: of a band, of bars. */
+function lowerEnd<E>({ look }: Curve, within: (low: Values) => E): E | readonly [number, number] | null {
+  if (look?.low) return within(look.low);
+  return look?.edges ? [0, 0] : null;
 }
 
 const extents = new WeakMap<Values, readonly [number, number] | null>();

@@ -2,6 +2,7 @@
 
 import { html, svg } from "../drawing/elements.ts";
 import { colourOf, dashOf } from "./looks.ts";
+import "./of_studies.ts";
 import { type Look, OPACITY } from "./outline.ts";
 
 export interface Entry {
@@ -53,7 +54,7 @@ export function swatch(entry: Pick<Entry, "look">, i: number): SVGSVGElement {
   const { look } = entry;
   const drawing = svg("svg", { viewBox: "0 0 26 8", "aria-hidden": "true" });
   const colour = `var(--lw-${colourOf(entry, i)})`;
-  if (look && look.kind !== "line") {
+  if (!globalThis.WITHOUT_STUDIES && look && look.kind !== "line") {
     const place = look.kind === "dots" ? "M13 1a3 3 0 1 0 .01 0Z" : "M0 0H26V8H0Z";
     const shape = svg("path", { d: place, class: "filled", opacity: OPACITY[look.kind] }, drawing);
     shape.style.fill = colour;

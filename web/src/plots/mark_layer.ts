@@ -4,10 +4,16 @@ import type uPlot from "uplot";
 import { svg } from "../drawing/elements.ts";
 import type { Curves, Mark } from "./curves.ts";
 import { colourOf } from "./looks.ts";
+import "./of_studies.ts";
+import type { Level } from "./signals.ts";
 
 export interface MarkLayer {
   update(u: uPlot, curves: Curves): void;
 }
+
+/** Limits of both axes. */
+const linesOf = ({ levels, uprights }: Curves): readonly Level[] =>
+  !globalThis.WITHOUT_STUDIES && uprights ? [...levels, ...uprights] : levels;
 
 export function markLayer(over: HTMLElement, goTo: (time: number) => void): MarkLayer {
   let root: SVGSVGElement | null = null;
@@ -16,7 +22,7 @@ export function markLayer(over: HTMLElement, goTo: (time: number) => void): Mark
   const build = (curves: Curves): void => {
     root ??= svg("svg", { class: "plot-marks lw" }, over);
     root.replaceChildren();
-    for (const level of [...curves.levels, ...(curves.uprights ?? [])]) {
+    for (const level of linesOf(curves)) {
       const line = svg("g", { class: "level" }, root);
       svg("path", {}, line);
       svg("text", {}, line).textContent = level.text;
@@ -42,8 +48,7 @@ export function markLayer(over: HTMLElement, goTo: (time: number) => void): Mark
     update(u, curves) {
       marks = curves.marks;
       const dots = marks.map((each) => [each.text, each.curve]);
-      const uprights = curves.uprights ?? [];
-      const lines = [...curves.levels, ...uprights];
+      const lines = linesOf(curves);
       const key = JSON.stringify([lines.map((each) => each.text), dots]);
       if (key !== made && (marks.length || lines.length || root)) build(curves);
       made = key;
@@ -60,7 +65,7 @@ export function markLayer(over: HTMLElement, goTo: (time: number) => void): Mark
         text.setAttribute("x", String(width - 3));
         text.setAttribute("y", String(y > 14 ? y - 4 : y + 12));
       });
-      uprights.forEach(({ value }, i) => {
+      if (!globalThis.WITHOUT_STUDIES) curves.uprights?.forEach(({ value }, i) => {
         const x = u.valToPos(value, "x");
         const group = groups[curves.levels.length + i]!;
         group.style.display = x >= 0 && x <= width ? "" : "none";

@@ -5,6 +5,7 @@ import { html } from "../drawing/elements.ts";
 import { chartOptions, columns } from "./chart_options.ts";
 import type { Curves } from "./curves.ts";
 import { type Colour, colourOf } from "./looks.ts";
+import "./of_studies.ts";
 import { polarSvg } from "./polar.ts";
 import { clipped } from "./traces.ts";
 
@@ -56,7 +57,7 @@ function drawMarks(u: uPlot, { curves, levels, marks, uprights = [] }: Curves, c
       ctx.stroke(new Path2D(`M${bbox.left} ${y}h${bbox.width}`));
       ctx.fillText(text, bbox.left + bbox.width - 3 * size, y - 3 * size);
     }
-    uprights.forEach(({ value, text }, i) => {
+    if (!globalThis.WITHOUT_STUDIES) uprights.forEach(({ value, text }, i) => {
       const x = u.valToPos(value, "x", true);
       const late = x > bbox.left + bbox.width / 2;
       ctx.stroke(new Path2D(`M${x} ${bbox.top}v${bbox.height}`));

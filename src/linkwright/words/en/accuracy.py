@@ -85,7 +85,7 @@ TEXTS: dict[str, str] = {
     "accuracy.column.lost": "Contact lost",
     "accuracy.chart.deviation": "{name}: deviation from nominal",
     "accuracy.chart.contributions": "{name}: contributions, 1σ",
-    "accuracy.chart.pareto": "{name}: shares of variance, %",
+    "accuracy.chart.pareto": "{name}: shares of variance",
     "accuracy.chart.histogram": "{name}: samples",
     "accuracy.chart.convergence.mean": "Mean of {name} over number of samples",
     "accuracy.chart.convergence.sigma": "Standard deviation of {name} over number of samples",

@@ -85,7 +85,7 @@ TEXTS: dict[str, str] = {
     "accuracy.column.lost": "接触脱离",
     "accuracy.chart.deviation": "{name}：相对名义值的偏差",
     "accuracy.chart.contributions": "{name}：贡献，1σ",
-    "accuracy.chart.pareto": "{name}：方差贡献率（%）",
+    "accuracy.chart.pareto": "{name}：方差贡献率",
     "accuracy.chart.histogram": "{name}：样本直方图",
     "accuracy.chart.convergence.mean": "{name}：均值随样本数的变化",
     "accuracy.chart.convergence.sigma": "{name}：标准差随样本数的变化",
