@@ -27,6 +27,7 @@ BUILT = (
     "report/assets/LICENSE.uplot.txt",
     "report/assets/mechanism.js",
     "report/assets/report.js",
+    "report/assets/report_studies.js",
     "report/assets/uplot.min.css",
 )
 """What web/build.ts writes, below the package."""

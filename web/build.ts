@@ -21,12 +21,13 @@ const shared: BuildOptions = {
 };
 
 /** A script of our own pages. */
-const page = (entry: string, outfile: string) =>
-  build({ ...shared, entryPoints: [`src/entry/${entry}.ts`], format: "iife", outfile: join(folder, outfile) });
+const page = (entry: string, outfile: string, define: Record<string, string> = {}) =>
+  build({ ...shared, define, entryPoints: [`src/entry/${entry}.ts`], format: "iife", outfile: join(folder, outfile) });
 
 await Promise.all([
   page("languages", "presentation/assets/languages.js"),
-  page("report", "report/assets/report.js"),
+  page("report", "report/assets/report.js", { "globalThis.WITHOUT_STUDIES": "true" }),
+  page("report_studies", "report/assets/report_studies.js"),
   page("sheet", "exports/process_simulate/sheet.js"),
   build({
     ...shared,
