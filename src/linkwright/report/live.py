@@ -36,6 +36,9 @@ EVERY = 3
 PROBE = 7919
 """A prime: the pose at which the value of row i is compared is i times this, modulo the number of poses."""
 
+ROUND_OFF = 1e-9
+"""A row that is nowhere larger than this share of the largest of its kind is only round-off."""
+
 
 def can_be_live(result: Result) -> bool:
     """Whether a page can compute what a result shows."""
@@ -106,12 +109,16 @@ def live_data(
 
 
 def _scales(rows: Sequence[Array], kinds: Sequence[object]) -> list[float]:
-    """How large the values of each row are; of one that is only round-off, a millionth of the largest of its kind."""
+    """How large the values of each row are, at least a millionth of the largest of its kind; of one that is only
+    round-off, which adds up along a long chain, a thousandth of that."""
     largest = [float(np.max(np.abs(row), initial=0.0, where=np.isfinite(row))) for row in rows]
     of_kind: dict[object, float] = {}
     for kind, most in zip(kinds, largest, strict=True):
         of_kind[kind] = max(of_kind.get(kind, 1e-12), most)
-    return [max(most, 1e-6 * of_kind[kind]) for kind, most in zip(kinds, largest, strict=True)]
+    return [
+        (1e-3 if most < ROUND_OFF * of_kind[kind] else max(most / of_kind[kind], 1e-6)) * of_kind[kind]
+        for kind, most in zip(kinds, largest, strict=True)
+    ]
 
 
 def _numbers(made: PagePrograms, named: NamedNumbers, text: str) -> tuple[list[LiveNumber], list[str]]:
