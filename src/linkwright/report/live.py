@@ -19,6 +19,8 @@ from linkwright.findings import ModelError
 from linkwright.graph.power_rows import PowerRow
 from linkwright.kernels.page_programs import PagePrograms, page_programs
 from linkwright.measures import live_measures, live_rows
+from linkwright.model.conditions import Condition
+from linkwright.model.desugar import with_file_paths
 from linkwright.model.document import Document
 from linkwright.model.live_numbers import live_numbers
 from linkwright.model.named_numbers import NamedNumbers, named_numbers
@@ -101,11 +103,21 @@ def live_data(
         "power": power,
         "measures": [pruned(one.data({row: i for i, row in enumerate(measured)})) for one in measures],
         "measured": measured_signals((one.measure for one in measures), listed.names),
+        "conditions": [
+            {"place": place, "what": one.fault("{value}").said("what"), "size": one.size}
+            for one, place in zip(made.conditions, _places(document, named, made.conditions), strict=True)
+        ],
         "numbers": numbers,
         "lines": lines,
         "drives": list(compiled.graph.drives),
         "parameters": list(compiled.graph.parameters),
     }
+
+
+def _places(document: Document, named: NamedNumbers, conditions: Sequence[Condition]) -> list[str]:
+    """The places of conditions in the file, as findings have them."""
+    findings = named.with_file_paths(condition.finding for condition in conditions)
+    return [finding.element for finding in with_file_paths(document, findings)]
 
 
 def _scales(rows: Sequence[Array], kinds: Sequence[object]) -> list[float]:

@@ -23,14 +23,16 @@ export interface LivePage {
   readonly texts: Texts;
   /** Of each number why it is locked, else an empty text. */
   readonly locked: readonly string[];
+  /** Of each condition on numbers what is wrong where it isn't met. */
+  readonly faults: readonly string[];
 }
 
-export function livePage({ live, drawing, charts, scene, time, texts, locked }: LivePage): void {
+export function livePage({ live, drawing, charts, scene, time, texts, locked, faults }: LivePage): void {
   const say = speaker(texts);
   const box = found("#numbers");
   const original = sceneOf(scene, live);
   const bar = html("div", { class: "live-bar" }, box);
-  const state = liveState(found("#state"), bar, live, say, time);
+  const state = liveState(found("#state"), bar, live, say, time, faults);
   const panel = dimensions(box, live, say, locked);
   const table = measured(live, say, time);
   const { shapes, hint } = modes(found("#drawing .lw"), drawing, say);
