@@ -76,6 +76,10 @@ def test_it_says_what_the_command_line_says(
     else:
         assert plain == f"{finding.element}{colon}{said}"
     assert view.page.evaluate("linkwright.live.motion.failure.kind") == "number"
+    # The last picture stays: nothing of it is said to be open.
+    assert view.page.locator(".lw-gaps i").count() == 0
+    assert view.page.locator(".lw-opening").filter(visible=True).count() == 0
+    assert view.pin("C")
     entry.fill("1.3" if label == "gas.progression" else "300" if label == "gas.gas" else "1")
     entry.press("Enter")
     rested(view)

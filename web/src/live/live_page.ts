@@ -44,17 +44,20 @@ export function livePage({ live, drawing, charts, scene, time, texts, locked, fa
     still({ model: now, el: found("#still"), words: texts, seen: drawing.seen });
     caption.textContent = live.changed ? `◐ ${say("live.changed")}. ${captioned}` : captioned;
   };
-  let waiting = false;
+  let [waiting, now] = [false, original];
   const update = (): void => {
     waiting = false;
-    const now = live.changed ? sceneOf(scene, live) : original;
+    // Numbers that make no sense have no picture: the last one stays.
+    const kind = live.motion.failure?.kind;
+    if (kind !== "number" && kind !== "parameter") now = live.changed ? sceneOf(scene, live) : original;
     drawing.update(now, live.changed ? original : null);
     charts.update();
     table.update();
     panel.update();
     state.update(now);
     clearTimeout(resting);
-    resting = window.setTimeout(() => toPaper(now), 150);
+    const last = now;
+    resting = window.setTimeout(() => toPaper(last), 150);
   };
   live.on(() => {
     if (!waiting) requestAnimationFrame(update);
