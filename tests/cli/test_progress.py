@@ -78,3 +78,15 @@ def test_rates_and_times() -> None:
     speeds = {0.5: "0.5", 999.4: "999", 999.6: "1 k", 38.21e6: "38.2 M", 999.9e3: "1 M", 2.5e9: "2.5 G"}
     assert {speed: rate(speed) for speed in speeds} == speeds
     assert [duration(v) for v in (0.4, 59.6, 3600, 86_461)] == ["0:00", "1:00", "1:00:00", "24:01:01"]
+
+
+@pytest.mark.parametrize("seconds", [0.9, 4.0])
+def test_what_stood_there_ends_right_before_it_shows(seconds: float, clock: Clock) -> None:
+    """A spinner goes on until there is a bar in its place."""
+    ended: list[float] = []
+    stream = Console(file=io.StringIO(), force_terminal=True, width=120)
+    with ProgressBar("cycle", None, stream, lambda: ended.append(clock.now)) as bar:
+        for part in range(5):
+            clock.now = 100.0 + seconds * part / 4
+            bar(part, 4)
+    assert ended == ([] if seconds < 1 else [101.0])

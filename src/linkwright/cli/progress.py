@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from types import TracebackType
 from typing import Any
 
@@ -18,11 +19,14 @@ FEW = 1000
 class ProgressBar:
     """A progress of poses or other work (see :class:`linkwright.blocks.Progress`), for a ``with``; on standard error.
 
-    It shows on a terminal only, unless ``shown`` says yes or no, and only where the work lasts over a second.
+    It shows on a terminal only, unless ``shown`` says yes or no, and only where the work lasts over a second; ``first``
+    is called right before.
     """
 
-    def __init__(self, text: str, shown: bool | None = None, console: Any = None) -> None:
-        self._text, self._console = text, console or err
+    def __init__(
+        self, text: str, shown: bool | None = None, console: Any = None, first: Callable[[], None] = lambda: None
+    ) -> None:
+        self._text, self._console, self._before = text, console or err, first
         self._shown = self._console.is_terminal if shown is None else shown
         self._bar: Any = None
         self._start = time.monotonic()
@@ -40,6 +44,7 @@ class ProgressBar:
         if not self._shown or (self._bar is None and spent < PATIENCE):
             return
         if self._bar is None:
+            self._before()
             self._bar = self._made(total)
             self._bar.start()
         speed = (done - self._first) / max(spent, 1e-9)

@@ -48,13 +48,7 @@ def working(file: Path, study: str, quiet: bool) -> Iterator[Told | None]:
     text = line(say("cli.working", study=study, file=file))
     with ExitStack() as stack:
         status = stack.enter_context(err.status(escape(text)))
-        bar = stack.enter_context(ProgressBar(text))
-
-        def told(done: int, total: int) -> None:
-            status.stop()
-            bar(done, total)
-
-        yield told
+        yield stack.enter_context(ProgressBar(text, first=status.stop))
 
 
 def findings(examined: Examined, file: Path) -> None:

@@ -13,12 +13,15 @@ from typing import Any, ClassVar
 from pydantic import BaseModel
 
 from linkwright.expressions.fields import Expression, Frozen
-from linkwright.expressions.typed_fields import Context, Quantity
+from linkwright.expressions.typed_fields import Context, Quantity, Sign
 from linkwright.expressions.units import Dimension
 from linkwright.expressions.written import FaultWithin
 from linkwright.notation.registry import Registry
 from linkwright.plugins import load
 from linkwright.words import add
+
+NumberFault = tuple[Any, Sign, FaultWithin]
+"""A condition on numbers, as arithmetic on them: what must have the sign, and the fault of an entry where it hasn't."""
 
 
 class JointEntry(Frozen):
@@ -63,8 +66,9 @@ class JointEntry(Frozen):
         """The values of its signals at which curves of its closure join, so that the links' jerk jumps there."""
         return {}
 
-    def number_faults(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[FaultWithin]:
-        """What is wrong with its numbers together; ``value`` gives them in SI, one or an array of samples."""
+    def number_faults(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[NumberFault]:
+        """What may be wrong with its numbers together; ``value`` gives them in SI: numbers, arrays of samples, or
+        symbols."""
         yield from ()
 
 
@@ -83,9 +87,9 @@ class ForceEntry(Frozen):
         assert isinstance(found, Dimension)
         return found
 
-    def number_faults(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[tuple[Any, FaultWithin]]:
-        """What is wrong with its numbers together: whether, or of which samples, and the fault. ``value`` gives the
-        numbers in SI, one or an array of samples."""
+    def number_faults(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[NumberFault]:
+        """What may be wrong with its numbers together; ``value`` gives them in SI: numbers, arrays of samples, or
+        symbols."""
         yield from ()
 
 

@@ -20,7 +20,7 @@ import numpy as np
 from pydantic import BeforeValidator
 
 from linkwright.elements.clearance import OnFlank, StatedClearance
-from linkwright.elements.entries import JointEntry
+from linkwright.elements.entries import JointEntry, NumberFault
 from linkwright.elements.joint import (
     Array,
     ContactReaction,
@@ -36,7 +36,7 @@ from linkwright.elements.joint import (
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen, LineOn, Name, Two, fault, pair
 from linkwright.expressions.typed_fields import Context, Ends, Quantity, Ref, Sign
-from linkwright.expressions.written import Fault, FaultWithin, unexpected
+from linkwright.expressions.written import Fault, unexpected
 from linkwright.findings import Joined
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec
 from linkwright.notation.jets import call, is_zero
@@ -123,13 +123,11 @@ class PinInSlotEntry(JointEntry):
     def joins(self) -> Mapping[str, tuple[Expression, ...]]:
         return {} if self.curve is None else {"s": tuple(along for along, _ in self.curve.through)}
 
-    def number_faults(self, value: Callable[[Expression, u.Dimension], Any]) -> Iterator[FaultWithin]:
+    def number_faults(self, value: Callable[[Expression, u.Dimension], Any]) -> Iterator[NumberFault]:
         places = self.curve.through if self.curve is not None else ()
         along = [value(x, u.LENGTH) for x, _ in places]
         for row, (before, after) in enumerate(pairwise(along), start=2):
-            if not np.all(np.greater(after, before)):
-                yield "joint.slot-order", {"row": row}, "curve", "through"
-                return
+            yield after - before, Sign.POSITIVE, ("joint.slot-order", {"row": row}, "curve", "through")
 
     @property
     def axis(self) -> LineOn:

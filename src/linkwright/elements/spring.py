@@ -12,7 +12,7 @@ from typing import Annotated, Any, ClassVar
 import numpy as np
 from pydantic import Field
 
-from linkwright.elements.entries import ForceEntry
+from linkwright.elements.entries import ForceEntry, NumberFault
 from linkwright.elements.fields import PART_LENGTH, Interval, TwoLinks
 from linkwright.elements.force import (
     Array,
@@ -34,7 +34,7 @@ from linkwright.expressions.fields import Expression, Name
 from linkwright.expressions.language import Name as Signal
 from linkwright.expressions.typed_fields import Path, Quantity, Ref, Scope, Sign
 from linkwright.expressions.units import Dimension
-from linkwright.expressions.written import Fault, FaultWithin
+from linkwright.expressions.written import Fault
 from linkwright.findings import Finding, Joined, Term
 from linkwright.notation import Pair, Scalar, Vec, Wrench
 from linkwright.notation.jets import call
@@ -81,9 +81,10 @@ class Spring(ForceEntry):
     exponent: Annotated[Expression | None, Quantity(u.PURE, Sign.POSITIVE)] = None
     length: Annotated[Interval | None, PART_LENGTH] = None
 
-    def number_faults(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[tuple[Any, FaultWithin]]:
+    def number_faults(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[NumberFault]:
         if self.gas is not None and self.progression is not None:
-            yield np.less_equal(value(self.progression, u.PURE), 1), ("spring.progression", {}, "progression")
+            above = value(self.progression, u.PURE) - 1.0
+            yield above, Sign.POSITIVE, ("spring.progression", {}, "progression")
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:

@@ -13,9 +13,11 @@ from typing import Any
 
 import casadi as ca
 
+from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.fields import Expression
-from linkwright.expressions.language import Name, evaluate
-from linkwright.expressions.typed_fields import Sign
+from linkwright.expressions.language import evaluate
+from linkwright.expressions.parser import ExpressionError
+from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, ModelError
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.program import ExpressionStage, Program
@@ -23,10 +25,9 @@ from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.parameter_batch import Varied
 from linkwright.kernels.tables import StatedTable
 from linkwright.laws import TableLaw
+from linkwright.model.conditions import Condition, varying_conditions
 from linkwright.model.quantities import Quantities
 from linkwright.model.sampled import dependent, names_in
-from linkwright.model.values import CONSTANT
-from linkwright.model.walk import QuantityPlace
 
 
 def derived_parameters(quantities: Quantities, tangents: bool = False) -> Program:
@@ -87,14 +88,14 @@ def ratio_program(compiled: Compiled, locked: Iterable[str]) -> Program:
 
 def constants_program(compiled: Compiled) -> Program:
     """What is computed once for a set of parameters: the angle (rad) near which each counted one starts, 0 where it
-    starts anywhere; then the numbers that are looked at (see :func:`numbers_looked_at`)."""
+    starts anywhere; then the margins of the conditions on numbers (see :func:`number_conditions`)."""
     p, parameters = _parameters(compiled, ())
     geometry, supply = Geometry(compiled.quantities, parameters), compiled.supply
     rows: list[Any] = []
     for name in compiled.graph.actions.turning:
         counted = compiled.graph.actions.counted_angles.get(name)
         rows.append(0.0 if counted is None else supply.start_angle(name, geometry.number))
-    rows += [geometry.number(*place) for kind in numbers_looked_at(compiled.quantities) for place in kind]
+    rows += [one.margin for one in number_conditions(compiled, parameters)]
     return _program(compiled, ca.SX(0, 1), p, rows, ())
 
 
@@ -124,27 +125,18 @@ def shaping(compiled: Compiled, derived: Program, shape: Program) -> dict[str, l
     return found
 
 
-def numbers_looked_at(quantities: Quantities) -> tuple[list[Any], list[Any], list[Any]]:
-    """What depends on parameters and must be positive, what must not be negative, and what must be finite: expressions
-    with their dimensions."""
-    found: dict[Sign, list[Any]] = {sign: [] for sign in Sign}
+def number_conditions(compiled: Compiled, parameters: Mapping[str, Any] | None = None) -> list[Condition]:
+    """The conditions on numbers that depend on parameters, as expressions of symbols for these."""
+    given = _parameters(compiled, ())[1] if parameters is None else parameters
+    geometry = Geometry(compiled.quantities, given)
 
-    def depends(expression: Expression) -> bool:
-        names = names_in(expression.node)
-        return bool(names) and names <= quantities.parameters.keys()
+    def value(expression: Expression, dimension: Dimension) -> Any:
+        try:
+            return geometry.number(expression, dimension)
+        except (KeyError, ExpressionError):  # it varies with the motion, and is looked at there
+            raise DimensionError("expression.not-constant", name="") from None
 
-    for site in quantities.fields:
-        if isinstance(site, QuantityPlace):
-            expression, of = site.parts[0]
-            wanted = of.dimension_at(site.context)
-            if wanted is not None and depends(expression):
-                found[of.sign_at(site.context)].append((expression, quantities.dimensions.resolve(wanted)))
-    composed = [
-        (place.expression, quantities.dimensions.resolve(place.wanted))
-        for place in quantities.places
-        if place.scope in CONSTANT and depends(place.expression) and not isinstance(place.expression.node, Name)
-    ]
-    return found[Sign.POSITIVE], found[Sign.NOT_NEGATIVE], composed
+    return varying_conditions(compiled.quantities, value, lambda margin: not ca.SX(margin).is_constant())
 
 
 def table_pieces(table: StatedTable) -> dict[str, Any]:

@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.typed_fields import Sign
 from linkwright.findings import Finding
 from linkwright.graph.program import Program
 from linkwright.graph.rows import Named, ReachRow, reaches
@@ -28,14 +29,19 @@ from linkwright.kernels.page_inputs import (
     derived_parameters,
     law_program,
     locked_parameters,
-    numbers_looked_at,
+    number_conditions,
     ratio_program,
     shape_program,
     shaping,
     table_pieces,
 )
+from linkwright.model.conditions import Condition
+from linkwright.model.quantities import LARGEST
 
 Array = NDArray[np.float64]
+
+SIGNS = {Sign.ANY: 0, Sign.NOT_NEGATIVE: 1, Sign.POSITIVE: 2}
+"""What a number that is checked must be: have a value at all, not be negative, be positive."""
 
 
 @dataclass(frozen=True)
@@ -75,6 +81,11 @@ class PagePrograms:
     def reaches(self) -> list[ReachRow]:
         """The rows whose signs say which dyads can't close."""
         return reaches(self.compiled.structure)
+
+    @cached_property
+    def conditions(self) -> list[Condition]:
+        """The conditions on numbers that the page checks, in their order."""
+        return number_conditions(self.compiled)
 
     @cached_property
     def points(self) -> tuple[str, ...]:
@@ -119,7 +130,8 @@ class PagePrograms:
 
         ``programs``: how many there are of each kind, in the order of the array. ``higher``: of each higher group its
         rows, the scale of each coordinate, which of them slide, their start at the nominal parameters. ``turns``,
-        ``lookups``, ``ratios``, ``totals``: the rows that are put in place before the signals.
+        ``lookups``, ``ratios``, ``totals``: the rows that are put in place before the signals. ``conditions``: what
+        each number that is checked must be, a digit each, by :data:`SIGNS`; ``largest``: that below which values are.
         """
         compiled, graph, supply = self.compiled, self.compiled.graph, self.compiled.supply
         rows, width = supply.rows, graph.width
@@ -168,7 +180,8 @@ class PagePrograms:
             "shaping": shaping(compiled, self.derived, self.programs["shape"][0]),
             "points": list(self.points),
             "links": list(compiled.structure.topology.moving),
-            "looked_at": [len(kind) for kind in numbers_looked_at(compiled.quantities)],
+            "conditions": "".join(str(SIGNS[one.sign]) for one in self.conditions),
+            "largest": LARGEST,
         }
 
     @cached_property

@@ -104,6 +104,8 @@ class Probe:
     search: Search
     node: Node
     intervals: list[Interval]
+    ahead: tuple[Array, Array, Array] | None = None
+    """Times (s, ascending) at which values and rates are known, computed for many probes at once."""
 
     @property
     def run(self) -> Run:
@@ -121,6 +123,11 @@ class Probe:
 
     def jets(self, t: Array) -> Jet:
         """The expression with its rate; at few times by the program of all expressions, which is made already."""
+        if self.ahead is not None:
+            known, *ahead = self.ahead
+            at = np.minimum(np.searchsorted(known, t), known.size - 1)
+            if known.size and np.array_equal(known[at], t):
+                return Jet([row[at] for row in ahead])
         if t.size > FEW:
             return self.run.jets(self.node, t)
         # The program of all signals exists already, which for few times is faster than making a new one.
@@ -142,22 +149,10 @@ class Probe:
     @cached_property
     def peaks(self) -> list[Peak]:
         """Among which the extremes are: turning points, cuts, ends of the window, limits towards places."""
-        run, pieces = self.run, self.search.places.pieces
-        centres = (pieces.before + pieces.after) / 2
-        # Candidates inside the intervals: turning points and cuts.
-        inside = np.concatenate([self.stationary, centres])
-        inside = inside[np.logical_or.reduce([(a < inside) & (inside < b) for a, b in self.intervals])]
-        # Of a jump, a turning point or an end of the window only has a side, the inner one.
-        for before, after in run.jumps:
-            inside = inside[~((before < inside) & (inside < after))]
-        # Ends of the intervals, moved off jumps to the inner side.
-        ends = [edge for a, b in self.intervals for edge in (inner(run, a, 1), inner(run, b, 0))]
-        times = np.unique(np.concatenate([inside, ends]))
-        # Drop times near singular places: there the one-sided limits or germs stand for the values.
-        times = self._away(times)
+        times, run = self._candidates, self.run
         sharp = 4 * float(np.finfo(float).eps) * max(abs(run.start), abs(run.stop))
         found = [Peak(value, time, "") for value, time in zip(self.values(times).tolist(), times.tolist(), strict=True)]
-        found += self._beside(centres)
+        found += self._beside()
         for place in self.limits:
             # Limits from both sides of each place, as far as that side lies in an interval.
             for name, side, sign in (("before", place.before, -1), ("after", place.after, 1)):
@@ -173,13 +168,40 @@ class Probe:
                     found += [Peak(v, at, "") for v, at in zip(values.tolist(), t.tolist(), strict=True)]
         return found
 
-    def _beside(self, centres: Array) -> list[Peak]:
-        """Both sides of cuts at which the expression jumps: where it goes towards each, along its rate there."""
+    @cached_property
+    def _candidates(self) -> Array:
+        """The times (s) of candidates: turning points and cuts inside the intervals, and the ends of these."""
+        run, pieces = self.run, self.search.places.pieces
+        inside = np.concatenate([self.stationary, (pieces.before + pieces.after) / 2])
+        inside = inside[np.logical_or.reduce([(a < inside) & (inside < b) for a, b in self.intervals])]
+        # Of a jump, a turning point or an end of the window only has a side, the inner one.
+        for before, after in run.jumps:
+            inside = inside[~((before < inside) & (inside < after))]
+        # Ends of the intervals, moved off jumps to the inner side.
+        ends = [edge for a, b in self.intervals for edge in (inner(run, a, 1), inner(run, b, 0))]
+        # Drop times near singular places: there the one-sided limits or germs stand for the values.
+        return self._away(np.unique(np.concatenate([inside, ends])))
+
+    @cached_property
+    def _sides(self) -> list[tuple[str, Array, Array]]:
+        """The sides of cuts that count: which side, the times (s) there, and the middles of their cuts."""
         pieces, found = self.search.places.pieces, []
+        centres = (pieces.before + pieces.after) / 2
         for name, sides in (("before", pieces.before), ("after", pieces.after)):
             kept = np.logical_or.reduce([(a < sides) & (sides < b) for a, b in self.intervals])
             kept &= np.isin(sides, self._away(sides))
-            t, centre = sides[kept], centres[kept]
+            found.append((name, sides[kept], centres[kept]))
+        return found
+
+    @property
+    def times(self) -> Array:
+        """All times (s) at which the extremes ask for values, ascending."""
+        return np.unique(np.concatenate([self._candidates, *(part for _, *two in self._sides for part in two)]))
+
+    def _beside(self) -> list[Peak]:
+        """Both sides of cuts at which the expression jumps: where it goes towards each, along its rate there."""
+        found = []
+        for name, t, centre in self._sides:
             if t.size:
                 jet = self.jets(t)
                 # Extrapolate along the rate to the cut: a difference to the value in its middle is a jump.

@@ -13,6 +13,7 @@ from pydantic import (
 )
 from pydantic_core import CoreSchema
 
+from linkwright.elements.entries import NumberFault
 from linkwright.elements.fields import (
     INERTIA,
     Interval,
@@ -33,7 +34,7 @@ from linkwright.expressions.fields import (
     Two,
 )
 from linkwright.expressions.typed_fields import Ends, Quantity, Ref, Sign, of_parameter
-from linkwright.expressions.written import Fault, FaultWithin, Shortened, plain_number, unexpected
+from linkwright.expressions.written import Fault, Shortened, plain_number, unexpected
 from linkwright.findings import Joined
 from linkwright.model.tolerances import Tolerance
 
@@ -180,8 +181,8 @@ class Joint(Frozen):
         """The lowest and the highest travel that it allows."""
         return self.travel
 
-    def number_faults(self, value: Any) -> Iterator[FaultWithin]:
-        """What is wrong with the values of its numbers together: nothing that the fields don't say."""
+    def number_faults(self, value: Any) -> Iterator[NumberFault]:
+        """What may be wrong with the values of its numbers together: nothing that the fields don't say."""
         yield from ()
 
     @property

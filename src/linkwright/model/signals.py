@@ -72,7 +72,7 @@ class Signals:
     def __init__(self, mechanism: Mechanism) -> None:
         self.mechanism = mechanism
         self.pins, self.links_of_points = pins(mechanism), links_of_points(mechanism)
-        self._found: dict[str, Signal] = {}
+        self._found: dict[str | Call, Signal] = {}
 
     @cached_property
     def contacts(self) -> list[Contact]:
@@ -87,6 +87,14 @@ class Signals:
                 others = [other for other in joint.links if other != link]
                 on = others[0] if len(others) == 1 else name
                 found.append(Contact(name, link, on, bool(joint.prismatic)))
+        return found
+
+    @cached_property
+    def contacts_of(self) -> dict[str, list[Contact]]:
+        """The contacts of each link, in their order."""
+        found: dict[str, list[Contact]] = {}
+        for contact in self.contacts:
+            found.setdefault(contact.link, []).append(contact)
         return found
 
     @cached_property
@@ -122,9 +130,8 @@ class Signals:
     def contact(self, names: Sequence[str]) -> Contact:
         """The contact that ``force(names...)`` means. Raises DimensionError naming what is wrong."""
         link, on, *rest = [*names, "", ""][: max(2, len(names))]
-        found = [
-            c for c in self.contacts if c.link == link and on in (c.on, c.joint) and (not rest or [c.joint] == rest)
-        ]
+        own = self.contacts_of.get(link, [])
+        found = [c for c in own if on in (c.on, c.joint) and (not rest or [c.joint] == rest)]
         if len(found) == 1:
             return found[0]
         if found:
@@ -154,7 +161,9 @@ class Signals:
     def find(self, node: Name | Call) -> Signal:
         """The signal that an expression names. Raises DimensionError naming what is wrong."""
         if isinstance(node, Call):
-            return self._called_signal(node)
+            if (known := self._found.get(node)) is None:
+                known = self._found[node] = self._called_signal(node)
+            return known
         if (known := self._found.get(node.text)) is None:
             owner, _, attribute = node.text.partition(".")
             kind, attributes = self.attributes(owner)
@@ -170,7 +179,7 @@ class Signals:
         if node.name == "force" and len(names) in (2, 3):
             contact = self.contact(names)
             owners: tuple[str, ...] = (contact.link, contact.on)
-            if sum(c.link == contact.link and c.on == contact.on for c in self.contacts) > 1:
+            if sum(c.on == contact.on for c in self.contacts_of[contact.link]) > 1:
                 owners = (*owners, contact.joint)
             return "force", owners, self.of_contact(contact)
         if node.name == "com" and len(names) == 1:

@@ -2,92 +2,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy as np
 
 from linkwright.expressions import units as u
-from linkwright.expressions.dimensions import DimensionError
-from linkwright.expressions.typed_fields import Ends, Sign
-from linkwright.findings import Finding, Joined, Term
-from linkwright.model.places import ExpressionPlace, Scope, position_parts
-from linkwright.model.quantities import LARGEST, Quantities
+from linkwright.findings import Finding, Joined
+from linkwright.model.conditions import Condition, conditions, finite
+from linkwright.model.quantities import Quantities
 from linkwright.model.slides import closing, pairs_of
-from linkwright.model.walk import QuantityPlace
 
 PARALLEL = 1e-9
 """Directions that differ by less than this angle (rad) are the same."""
-CONSTANT = (Scope.CONSTANT, Scope.LOAD)
-"""Where constants stand; a load may vary, and is then looked at while it moves."""
 
 
 def check_values(quantities: Quantities) -> list[Finding]:
     """Faults of numbers. The quantities are free of findings; of those of many samples, each sample is looked at."""
-    constant = [place for place in quantities.places if place.scope in CONSTANT]
-    bad = [finding for place in constant for finding in _finite(quantities, place)]
+    bad = [*broken(quantities, finite(quantities, quantities.value))]
     if bad and quantities.samples is None:
         return bad
-    stated = [found for found in quantities.fields if isinstance(found, QuantityPlace)]
-    signs = (finding for site in stated for finding in sign_faults(quantities, site))
-    special = (finding for part in (_acting, _rods, _slides, _joints) for finding in part(quantities))
-    return [*bad, *signs, *special, *(finding for site in stated for finding in _interval_faults(quantities, site))]
+    return [*bad, *broken(quantities, conditions(quantities, quantities.value)), *_slides(quantities)]
 
 
-def _finite(q: Quantities, place: ExpressionPlace) -> Iterator[Finding]:
-    try:
-        value = q.value(place.expression, q.dimensions.resolve(place.wanted))
-    except DimensionError:
-        return
-    if q.bad(np.logical_not(np.abs(value) < LARGEST)):
-        yield Finding("value.not-finite", place.path, {"text": place.expression.text[:60]})
-
-
-def sign_faults(q: Quantities, site: QuantityPlace) -> Iterator[Finding]:
-    """That a quantity is too small; of an interval, its lower end."""
-    (expression, of), sign = site.parts[0], site.parts[0][1].sign_at(site.context)
-    if sign is Sign.ANY or (wanted := of.dimension_at(site.context)) is None:
-        return
-    dimension = q.dimensions.resolve(wanted)
-    value = q.value(expression, dimension)
-    if q.bad(wrong := np.less_equal(value, 0) if sign is Sign.POSITIVE else np.less(value, 0)):
-        unit, size = q.unit_of(dimension)
-        data = {"what": Term(of.term), "value": f"{np.extract(wrong, value)[0] / size:.6g}", "unit": unit}
-        yield Finding("value.too-small", site.path, data)
-
-
-def _interval_faults(q: Quantities, site: QuantityPlace) -> Iterator[Finding]:
-    """That an interval's ends lie the wrong way round, or leave nothing between them."""
-    ends = site.parts[0][1].ends
-    if ends is Ends.ANY or len(site.parts) != 2:
-        return
-    values = [q.value(place.expression, q.dimensions.resolve(place.wanted)) for place in site.places()]
-    if len(values) < 2:
-        return
-    low, high = values
-    if q.bad(np.logical_not(low <= high if ends is Ends.ORDERED else low < high)):
-        texts = (expression.text[:40] for expression, _ in site.parts)
-        yield Finding("value.not-rising", site.path, dict(zip(("low", "high"), texts, strict=True)))
-
-
-def _acting(q: Quantities) -> Iterator[Finding]:
-    for one in q.mechanism.acting():
-        for wrong, (code, data, *path) in one.entry.number_faults(q.value):
-            if q.bad(wrong):
-                yield Finding(code, (*one.path, *path), data)
-
-
-def _rods(q: Quantities) -> Iterator[Finding]:
-    for name, link in q.mechanism.links.items():
-        if link.shape and link.shape.form == "rod" and all(point in link.points for point in link.shape.points):
-            ends = [
-                [q.value(expression, dimension) for expression, dimension in position_parts(link.points[point])]
-                for point in link.shape.points
-            ]
-            alike = len({link.points[point].polar for point in link.shape.points}) == 1
-            if alike and q.bad(np.logical_and(*map(np.equal, *ends))):
-                points = "-".join(link.shape.points)
-                yield Finding("value.rod", ("links", name, "shape"), {"points": points})
+def broken(q: Quantities, stated: Iterable[Condition]) -> Iterator[Finding]:
+    """What is wrong with the numbers: of each code and path once, the first."""
+    said: set[tuple[object, ...]] = set()
+    for condition in stated:
+        wrong = condition.broken
+        if q.bad(wrong) and (key := (condition.finding.code, condition.finding.path)) not in said:
+            said.add(key)
+            size = condition.size
+            yield condition.fault("" if size is None else f"{np.extract(wrong, condition.margin)[0] / size:.6g}")
 
 
 def _slides(q: Quantities) -> Iterator[Finding]:
@@ -97,12 +43,6 @@ def _slides(q: Quantities) -> Iterator[Finding]:
             angle = f"{abs(np.extract(wrong, miss)[0]) / size:.6g}"
             data = {"joint": name, "loop": Joined(loop), "angle": angle, "unit": unit}
             yield Finding("joint.slides-tilted", ("joints", name), data)
-
-
-def _joints(q: Quantities) -> Iterator[Finding]:
-    for name, joint in q.mechanism.joints_but_pins():
-        for code, data, *path in joint.number_faults(q.value):
-            yield Finding(code, ("joints", name, *path), data)
 
 
 def tilts(q: Quantities) -> Iterator[tuple[str, list[str], Any]]:

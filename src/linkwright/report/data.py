@@ -213,6 +213,15 @@ class MeasuredSignal(TypedDict):
     level: bool
 
 
+class LiveCondition(TypedDict):
+    """A condition on a number: the ``place`` in the file, ``what`` is wrong where it isn't met; where that has a place
+    for its ``{value}``, the SI ``size`` of the unit."""
+
+    place: str
+    what: Text
+    size: float | None
+
+
 class LiveData(TypedDict):
     """What the page needs to compute all values itself. Times in s, values in SI.
 
@@ -224,8 +233,8 @@ class LiveData(TypedDict):
     row, which the page must find too, but for round-off of its ``scales``. ``measures``: what is taken of the samples,
     and of which signal (``measured``). With ``power`` the last two rows are what the powers of a pose leave, and their
     size.
-    ``numbers``: what can be moved, and the ``lines`` of the file where it stands. ``drives`` and
-    ``parameters`` by their number.
+    ``numbers``: what can be moved, and the ``lines`` of the file where it stands; ``conditions`` on numbers are in the
+    order of the program's. ``drives`` and ``parameters`` by their number.
     """
 
     code: str
@@ -250,6 +259,7 @@ class LiveData(TypedDict):
     lines: Sequence[str]
     drives: Sequence[str]
     parameters: Sequence[str]
+    conditions: Sequence[LiveCondition]
 
 
 class ReportData(TypedDict):

@@ -19,6 +19,8 @@ from linkwright.findings import ModelError
 from linkwright.graph.power_rows import PowerRow
 from linkwright.kernels.page_programs import PagePrograms, page_programs
 from linkwright.measures import live_measures, live_rows
+from linkwright.model.conditions import Condition
+from linkwright.model.desugar import with_file_paths
 from linkwright.model.document import Document
 from linkwright.model.live_numbers import live_numbers
 from linkwright.model.named_numbers import NamedNumbers, named_numbers
@@ -35,6 +37,9 @@ EVERY = 3
 """Of how many rows one is compared."""
 PROBE = 7919
 """A prime: the pose at which the value of row i is compared is i times this, modulo the number of poses."""
+
+ROUND_OFF = 1e-9
+"""A row that is nowhere larger than this share of the largest of its kind is only round-off."""
 
 
 def can_be_live(result: Result) -> bool:
@@ -98,6 +103,10 @@ def live_data(
         "power": power,
         "measures": [pruned(one.data({row: i for i, row in enumerate(measured)})) for one in measures],
         "measured": measured_signals((one.measure for one in measures), listed.names),
+        "conditions": [
+            {"place": place, "what": one.fault("{value}").said("what"), "size": one.size}
+            for one, place in zip(made.conditions, _places(document, named, made.conditions), strict=True)
+        ],
         "numbers": numbers,
         "lines": lines,
         "drives": list(compiled.graph.drives),
@@ -105,13 +114,23 @@ def live_data(
     }
 
 
+def _places(document: Document, named: NamedNumbers, conditions: Sequence[Condition]) -> list[str]:
+    """The places of conditions in the file, as findings have them."""
+    findings = named.with_file_paths(condition.finding for condition in conditions)
+    return [finding.element for finding in with_file_paths(document, findings)]
+
+
 def _scales(rows: Sequence[Array], kinds: Sequence[object]) -> list[float]:
-    """How large the values of each row are; of one that is only round-off, a millionth of the largest of its kind."""
+    """How large the values of each row are, at least a millionth of the largest of its kind; of one that is only
+    round-off, which adds up along a long chain, a thousandth of that."""
     largest = [float(np.max(np.abs(row), initial=0.0, where=np.isfinite(row))) for row in rows]
     of_kind: dict[object, float] = {}
     for kind, most in zip(kinds, largest, strict=True):
         of_kind[kind] = max(of_kind.get(kind, 1e-12), most)
-    return [max(most, 1e-6 * of_kind[kind]) for kind, most in zip(kinds, largest, strict=True)]
+    return [
+        (1e-3 if most < ROUND_OFF * of_kind[kind] else max(most / of_kind[kind], 1e-6)) * of_kind[kind]
+        for kind, most in zip(kinds, largest, strict=True)
+    ]
 
 
 def _numbers(made: PagePrograms, named: NamedNumbers, text: str) -> tuple[list[LiveNumber], list[str]]:

@@ -59,7 +59,7 @@ PLOT_WORDS = (
     "search",
     "view",
 )
-PLACES = {name: f"{{{name}}}" for name in ("change", "error", "met", "name", "off", "time", "total", "value")}
+PLACES = {name: f"{{{name}}}" for name in ("change", "error", "met", "name", "off", "time", "total", "value", "what")}
 """The places of the scripts' texts, which the scripts fill."""
 SCRIPT_WORDS = (
     "report.areas",
@@ -125,6 +125,11 @@ def page(data: ReportData) -> str:
         }
         own: dict[str, object] = {key: value for key, value in live.items() if key != "code"}
         own |= {"sizes": packed(live["sizes"]), "units": packed(live["units"])}
+        sizes = [one["size"] or 1.0 for one in live["conditions"]]
+        own["conditions"] = {
+            "places": [one["place"] for one in live["conditions"]],
+            "sizes": packed(sizes if {*sizes} != {1.0} else []),
+        }
         own["numbers"] = pruned([{**number, "locked": bool(str(number["locked"]))} for number in live["numbers"]])
         blocks["live"] = Exact(own)
         scripts.insert(0, f"globalThis.linkwrightPrograms={live['code']}")
@@ -178,6 +183,7 @@ def _words(data: ReportData) -> dict[str, object]:
         "label": str(_label("{title}")),
         "label_unit": str(_label(named("{title}", "{unit}"))),
         "locked": [str(one["locked"]) for one in live["numbers"]] if live else [],
+        "faults": packed([str(one["what"]) for one in live["conditions"]]) if live else packed([]),
         "kinds": {kind: say(f"report.kind.{kind}") for kind in KINDS} if live else {},
         "column": "t" if data["time"]["label"] == Said("plot.time") else str(data["time"]["label"]),
         "charts": {key: [str(chart.title), *map(str, chart.data.texts)] for key, chart in charts.items()},

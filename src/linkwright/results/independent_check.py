@@ -5,6 +5,7 @@ Nothing here uses the graph's formulas; the proofs work on what is reported and 
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -106,6 +107,10 @@ class Reports:
 
     def size(self) -> float:
         """The mechanism's extent over all poses (m)."""
+        return self._size
+
+    @cached_property
+    def _size(self) -> float:
         links = self.mechanism.links.items()
         points = [
             self.point_position(link, self.geometry.point(link, point))

@@ -9,8 +9,11 @@ from typing import Any
 import pytest
 
 import linkwright as lw
+from linkwright.app.job import examine_document, perform
 from linkwright.findings import Text
+from linkwright.kernels.numpy_blocks import NumpyKernel
 from linkwright.presentation.blocks import Table
+from linkwright.studies import RunContext
 from linkwright.studies.registry import STUDIES
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
@@ -53,6 +56,78 @@ def test_it_says_what_measures_say() -> None:
     assert reaction["links"] == ["frame", "crank"]
     assert reaction["value"] == pytest.approx(told["reaction"]["value"], rel=1e-12)
     assert reaction["rms"] == pytest.approx(told["reaction_rms"]["value"], rel=1e-9)
+
+
+def chain(dyads: int) -> dict[str, Any]:
+    """Four-bars in a row: each rocker moves the coupler of the next."""
+    sketch = {"O": [0, 0], "K": [20, 30]}
+    links: dict[str, Any] = {"frame": {"points": ["O"]}, "crank": {"points": ["O", "K"], "mass": 1, "shape": "rod O-K"}}
+    before = "K"
+    for i in range(dyads):
+        x = 100 * (i + 1)
+        sketch |= {f"C{i}": [x + i % 3, 60 - i % 2], f"D{i}": [x, 0], f"E{i}": [x + 30, 50 - i % 3]}
+        links[f"c{i}"] = {"points": [before, f"C{i}"], "mass": 0.5, "shape": f"rod {before}-C{i}"}
+        links[f"r{i}"] = {"points": [f"C{i}", f"D{i}", f"E{i}"], "mass": 1 + i, "shape": f"rod C{i}-D{i}"}
+        links["frame"]["points"].append(f"D{i}")
+        before = f"E{i}"
+    position = "1 rad + 0.1 rad*sin(6.28 rad/s*t)"
+    return {
+        "linkwright": 1,
+        "units": {"length": "mm", "angle": "deg", "mass": "kg"},
+        "gravity": [0, "-9.81 m/s^2"],
+        "sketch": sketch,
+        "links": links,
+        "drives": {"motor": {"turns": "crank", "on": "frame", "position": position}},
+        "studies": {"cycle": {"duration": "1 s", "samples": 40}},
+    }
+
+
+def test_every_reaction_of_a_chain_is_what_a_measure_says() -> None:
+    data = chain(4)
+    found = overview(data)
+    names = {f"{one['joint']}{i}": one for i, one in enumerate(found["reactions"])}
+    data["measures"] = {}
+    for key, one in names.items():
+        force = "force({}, {}, {})".format(*one["links"], one["joint"])
+        data["measures"][key] = {"max": f"hypot({force}.x, {force}.y)"}
+        data["measures"][f"{key}_rms"] = {"rms": f"hypot({force}.x, {force}.y)"}
+    told = lw.run(lw.Document.model_validate(data)).summary["measures"]
+    assert len(names) == 13
+    for key, one in names.items():
+        assert one["value"] == pytest.approx(told[key]["value"], rel=1e-11)
+        assert one["at"] == pytest.approx(told[key]["at"], abs=1e-7)
+        assert one["rms"] == pytest.approx(told[f"{key}_rms"]["value"], rel=1e-11)
+
+
+def test_a_longer_chain_needs_no_more_programs(monkeypatch: pytest.MonkeyPatch) -> None:
+    """All rows are computed together: neither programs nor evaluations grow with the number of links."""
+    counts = []
+    for dyads in (3, 12):
+        job = lw.run(lw.Document.model_validate(chain(dyads)))
+        evaluated: list[int] = []
+        run = NumpyKernel.run
+
+        def counted(self: Any, *args: Any, own: Any = run, into: list[int] = evaluated) -> Any:
+            into.append(id(self))
+            return own(self, *args)
+
+        with monkeypatch.context() as patch:
+            patch.setattr(NumpyKernel, "run", counted)
+            assert len(job.cycle.overview.reactions) == 3 * dyads + 1
+        counts.append((len(evaluated), len({*evaluated})))
+    (few, few_programs), (many, many_programs) = counts
+    assert many_programs == few_programs
+    assert many <= 1.5 * few
+
+
+def test_progress_is_told_up_to_the_end() -> None:
+    told: list[tuple[int, int]] = []
+    examined = examine_document(lw.Document.model_validate(chain(2)))
+    job = perform(examined, RunContext(progress=lambda done, total: told.append((done, total))))
+    assert not told  # what nobody asks for isn't computed
+    assert job.cycle.overview is not None
+    assert [done for done, _ in told] == sorted(done for done, _ in told)
+    assert told[-1][0] == told[-1][1]
 
 
 def test_the_paper_feeder_shows_its_stroke() -> None:

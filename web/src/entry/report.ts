@@ -11,7 +11,7 @@ import { sceneOf } from "../live/live_scene.ts";
 import { copyButtons } from "../panels/copy.ts";
 import { openLinkedParts } from "../panels/folded.ts";
 import { found } from "../panels/found.ts";
-import { pageData } from "../panels/page_data.ts";
+import { pageData, unpacked } from "../panels/page_data.ts";
 import { kept } from "../panels/kept.ts";
 import { whenPrinted } from "../panels/print.ts";
 import { stacks } from "../panels/stacks.ts";
@@ -53,7 +53,8 @@ const shown = charts({
 });
 if (live) {
   const { texts, locked } = words;
-  livePage({ live, drawing, charts: shown, scene: page.scene, time, texts, locked });
+  const faults = unpacked(words.faults);
+  livePage({ live, drawing, charts: shown, scene: page.scene, time, texts, locked, faults });
 }
 whenPrinted({
   toPaper() {

@@ -61,6 +61,9 @@ export interface LiveData {
   readonly lines: readonly string[];
   readonly drives: readonly string[];
   readonly parameters: readonly string[];
+  /** The places of the conditions on numbers, in the program's order, and the SI sizes of the units of their values,
+   * none where all are 1. */
+  readonly conditions: { readonly places: readonly string[]; readonly sizes: readonly number[] };
 }
 
 declare global {

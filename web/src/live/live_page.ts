@@ -27,14 +27,16 @@ export interface LivePage {
   readonly texts: Texts;
   /** Of each number why it is locked, else an empty text. */
   readonly locked: readonly string[];
+  /** Of each condition on numbers what is wrong where it isn't met. */
+  readonly faults: readonly string[];
 }
 
-export function livePage({ live, drawing, charts, scene, time, texts, locked }: LivePage): void {
+export function livePage({ live, drawing, charts, scene, time, texts, locked, faults }: LivePage): void {
   const say = speaker(texts);
   const box = found("#numbers");
   const original = sceneOf(scene, live);
   const bar = html("div", { class: "live-bar" }, box);
-  const state = liveState(found("#state"), bar, live, say, time);
+  const state = liveState(found("#state"), bar, live, say, time, faults);
   const panel = dimensions(box, live, say, locked);
   const table = measured(live, say, time);
   const { shapes, hint } = modes(found("#drawing .lw"), drawing, say);
@@ -46,13 +48,17 @@ export function livePage({ live, drawing, charts, scene, time, texts, locked }: 
     still({ model: now, el: found("#still"), words: texts, seen: drawing.seen });
     caption.textContent = live.changed ? `◐ ${say("live.changed")}. ${captioned}` : captioned;
   };
+  let now = original;
   const update = (): void => {
-    const now = live.changed ? sceneOf(scene, live) : original;
+    // Numbers that make no sense have no picture: the last one stays.
+    const kind = live.motion.failure?.kind;
+    if (kind !== "number" && kind !== "parameter") now = live.changed ? sceneOf(scene, live) : original;
     drawing.update(now, live.changed ? original : null);
     panel.update();
     state.update(now);
     clearTimeout(resting);
-    resting = window.setTimeout(() => toPaper(now), RESTING);
+    const last = now;
+    resting = window.setTimeout(() => toPaper(last), RESTING);
   };
   live.on(inTurns(update, [() => charts.update(), () => table.update()]));
   dragging({

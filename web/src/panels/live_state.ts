@@ -6,6 +6,7 @@ import { filled, type Say } from "../drawing/words.ts";
 import type { LiveModel } from "../live/live_model.ts";
 import { changedLines } from "../live/changed_lines.ts";
 import { closureError } from "../live/closure_error.ts";
+import type { Failure } from "../program/mechanism.ts";
 import type { Scene, TimeAxis } from "../scene/data.ts";
 import { copy } from "./copy.ts";
 import { sixDigits } from "../scene/numbers.ts";
@@ -21,6 +22,7 @@ export function liveState(
   live: LiveModel,
   say: Say,
   time: Pick<TimeAxis, "unit">,
+  faults: readonly string[],
 ): LiveState {
   const badge = html("span", { class: "mark changed", role: "status", hidden: "" }, badges);
   const line = html("p", { class: "live-line", role: "status" }, bar);
@@ -49,7 +51,7 @@ export function liveState(
   let waiting = 0;
   const later = (scene: Scene): void => {
     lines.textContent = live.changed ? changedLines(live).join("\n") : "";
-    line.textContent = live.sound ? stateLine(live, say, time, scene) : say("live.unsound");
+    line.textContent = live.sound ? stateLine(live, say, time, scene, faults) : say("live.unsound");
   };
   const update = (scene: Scene): void => {
     const { changed, motion } = live;
@@ -70,7 +72,13 @@ export function liveState(
 }
 
 /** What there is to say of the motion of the moment. */
-function stateLine(live: LiveModel, say: Say, { unit }: Pick<TimeAxis, "unit">, scene: Scene): string {
+function stateLine(
+  live: LiveModel,
+  say: Say,
+  { unit }: Pick<TimeAxis, "unit">,
+  scene: Scene,
+  faults: readonly string[],
+): string {
   const { data, motion } = live;
   const { failure } = motion;
   if (!failure) {
@@ -83,9 +91,23 @@ function stateLine(live: LiveModel, say: Say, { unit }: Pick<TimeAxis, "unit">, 
     drive: data.drives[failure.index],
     group: data.program.groups[failure.index],
     higher: data.program.higher[failure.index]?.group,
-    number: "",
+    number: data.conditions.places[failure.index],
   };
   const at = `${sixDigits(data.times[failure.pose]! / data.second)} ${unit}`;
-  return filled(say(`live.failed_${failure.kind}`), { name: names[failure.kind] ?? "", time: at });
+  return filled(say(`live.failed_${failure.kind}`), {
+    name: names[failure.kind] ?? "",
+    time: at,
+    what: failure.kind === "number" ? faultLine(live, failure, faults) : "",
+  });
 }
 
+/** What is wrong with a number, at the values of the moment. */
+function faultLine(live: LiveModel, { index, value = NaN }: Failure, faults: readonly string[]): string {
+  const { conditions, numbers } = live.data;
+  const text = filled(faults[index]!, { value: sixDigits(value / (conditions.sizes[index] ?? 1)) });
+  // Numbers of the file stand by names in expressions.
+  return text.replace(/n'\d+/g, (name) => {
+    const i = numbers.findIndex((number) => number.name === name);
+    return i < 0 ? name : `${sixDigits(live.value(i) / numbers[i]!.size)} ${numbers[i]!.unit}`.trim();
+  });
+}

@@ -34,6 +34,8 @@ export interface PageWords {
   readonly column: string;
   /** Of each number that can be moved why it is locked, else an empty text. */
   readonly locked: readonly string[];
+  /** Of each condition on numbers what is wrong where it isn't met. */
+  readonly faults: List<string>;
 }
 
 declare global {
@@ -64,13 +66,19 @@ interface List<T> {
   readonly of: readonly T[];
   readonly at: readonly number[];
 }
-type Packed = Omit<LiveData, "sizes" | "units"> & { readonly sizes: List<number>; readonly units: List<string> };
+type Packed = Omit<LiveData, "sizes" | "units" | "conditions"> & {
+  readonly sizes: List<number>;
+  readonly units: List<string>;
+  readonly conditions: { readonly places: readonly string[]; readonly sizes: List<number> };
+};
+
+export const unpacked = <T>({ of, at }: List<T>): T[] => at.map((i) => of[i]!);
 
 function liveData(data: Packed): LiveData {
-  const unpacked = <T>({ of, at }: List<T>): T[] => at.map((i) => of[i]!);
   const measures = data.measures.map((measure) => ({ ...NOTHING, ...measure, ...stated(measure) }));
   const numbers = data.numbers.map((number) => ({ ...PLAIN, ...number }));
-  return { ...data, measures, numbers, sizes: unpacked(data.sizes), units: unpacked(data.units) };
+  const conditions = { places: data.conditions.places, sizes: unpacked(data.conditions.sizes) };
+  return { ...data, measures, numbers, conditions, sizes: unpacked(data.sizes), units: unpacked(data.units) };
 }
 
 const PLAIN = { tolerance: null, named: false, locked: false, unit: "" };

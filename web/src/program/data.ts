@@ -79,6 +79,7 @@ export interface ProgramData {
   /** The points that may be dragged, and the links whose poses are known, by name. */
   points: string[];
   links: string[];
-  /** How many numbers must be positive, how many not negative, how many finite. */
-  looked_at: [number, number, number];
+  /** What each number that is checked must be, a digit each: 0 smaller than the largest, 1 not negative, 2 positive. */
+  conditions: string;
+  largest: number;
 }

@@ -12,6 +12,8 @@ export interface Failure {
   kind: "parameter" | "number" | "drive" | "group" | "higher";
   index: number;
   pose: number;
+  /** Of a number, its value (SI). */
+  value?: number;
 }
 
 /** The signals of a mechanism at a set of parameters. A row is NaN where a pose can't be assembled. */
@@ -24,8 +26,6 @@ export interface Motion {
   parameters: Float64Array;
   failure: Failure | null;
 }
-
-const sum = (numbers: readonly number[]): number => numbers.reduce((total, each) => total + each, 0);
 
 /** Kinds of programs with other parameters than all the others. */
 const OWN_PARAMETERS = new Set(["derived", "slopes", "dragged"]);
@@ -98,14 +98,17 @@ export class Mechanism {
       values: rows[rest + 2 * i]!,
       rates: rows[rest + 2 * i + 1]!,
     }));
-    const constants = new Float64Array(this.data.turns.length + sum(this.data.looked_at));
+    const constants = new Float64Array(this.data.turns.length + this.data.conditions.length);
     this.tell(parameters);
     this.only("constants").pose([], constants);
-    const missing = parameters.findIndex((value) => !Number.isFinite(value));
-    const wrong = this.wrongNumber(constants.subarray(this.data.turns.length));
+    const missing = parameters.findIndex((value) => !(Math.abs(value) < this.data.largest));
+    const checked = constants.subarray(this.data.turns.length);
+    const wrong = this.wrongNumber(checked);
     if (missing >= 0 || wrong >= 0) {
       motion.failure =
-        missing >= 0 ? { kind: "parameter", index: missing, pose: 0 } : { kind: "number", index: wrong, pose: 0 };
+        missing >= 0
+          ? { kind: "parameter", index: missing, pose: 0 }
+          : { kind: "number", index: wrong, pose: 0, value: checked[wrong]! };
       return motion;
     }
     const lost = this.place(parameters);
@@ -147,10 +150,9 @@ export class Mechanism {
   }
 
   private wrongNumber(values: Float64Array): number {
-    const [positive, signed] = [this.data.looked_at[0], this.data.looked_at[0] + this.data.looked_at[1]];
-    const sound = (value: number, i: number): boolean =>
-      i < positive ? value > 0 : i < signed ? value >= 0 : Number.isFinite(value);
-    return values.findIndex((value, i) => !sound(value, i));
+    const { conditions, largest } = this.data;
+    const sound = [(v: number) => Math.abs(v) < largest, (v: number) => v >= 0, (v: number) => v > 0];
+    return values.findIndex((value, i) => !sound[Number(conditions[i])]!(value));
   }
 
   /** Drives and branches of a pose at a time. */

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from linkwright.findings import Finding
 from linkwright.measures import MeasureResult
 from linkwright.results import Result
 from linkwright.studies.cycle.overview import Overview, overview
+
+if TYPE_CHECKING:
+    from linkwright.blocks import Progress
 
 
 @dataclass
@@ -18,6 +22,8 @@ class CycleOutcome:
     result: Result
     measures: list[MeasureResult] = field(default_factory=list)
     warnings: list[Finding] = field(default_factory=list)
+    progress: Progress | None = field(default=None, repr=False, compare=False)
+    """Is told how far the overview is, which is computed when it is first asked for."""
 
     @cached_property
     def overview(self) -> Overview | None:
@@ -25,7 +31,7 @@ class CycleOutcome:
         certificate = self.result.certificate
         if self.measures or self.failures or certificate is None:
             return None
-        return overview(self.result.run, certificate.equilibrium is not None)
+        return overview(self.result.run, certificate.equilibrium is not None, self.progress)
 
     @property
     def failures(self) -> list[Finding]:

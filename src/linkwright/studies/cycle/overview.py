@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,11 +12,18 @@ from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import parse
 from linkwright.expressions.units import ANGLE, TIME, Dimension
 from linkwright.measures.probe import Probe, Search
+from linkwright.measures.together import look_ahead, mean_squares
 from linkwright.reductions.figures import Peak
 from linkwright.results import Run
 from linkwright.results.windows import intervals
 from linkwright.studies.limits.extremes import Transmission, transmission
 from linkwright.studies.output_signals import output_signals
+
+if TYPE_CHECKING:
+    from linkwright.blocks import Progress
+
+PARTS = 3
+"""Parts of the work that progress is told of."""
 
 
 @dataclass(frozen=True)
@@ -46,35 +53,56 @@ class Overview:
     transmission: tuple[Transmission, ...]
 
 
-def overview(run: Run, forces: bool) -> Overview:
-    """The overview of a run that could be followed; ``forces`` says whether any act."""
-    quantities, drives = run.compiled.quantities, run.compiled.mechanism.drives
+def overview(run: Run, forces: bool, progress: Progress | None = None) -> Overview:
+    """The overview of a run that could be followed; ``forces`` says whether any act. ``progress`` is told of parts."""
+    drives, graph = run.compiled.mechanism.drives, run.compiled.graph
     outputs = output_signals(run.compiled)
-    efforts = {name: (f"{name}.{drives[name].effort}", f"{name}.power") for name in run.compiled.graph.motors}
+    efforts = {name: (f"{name}.{drives[name].effort}", f"{name}.power") for name in graph.motors if forces}
     reactions = dict(_reactions(run)) if forces else {}
-    texts = [*outputs, *(text for pair in efforts.values() if forces for text in pair), *reactions.values()]
-    trees = {text: quantities.bind(Expression(text), None) for text in texts}
-    search = Search(run, [*trees.values()])
-
-    def extent(text: str) -> Extent:
-        probe = Probe(search, trees[text], intervals(run, None))
-        square = probe.mean(2).value
-        dimension = quantities.dimensions.dimension(parse(text))
-        return Extent(text, dimension, probe.bottom(), probe.top(), float(np.sqrt(max(square, 0.0))))
-
+    plain = dict.fromkeys([*outputs, *(text for pair in efforts.values() for text in pair)])
+    found = _extents(run, [*plain], [*reactions.values()], progress or (lambda done, total: None))
     return Overview(
-        tuple(map(extent, outputs)),
-        {name: (extent(effort), extent(power)) for name, (effort, power) in efforts.items() if forces},
-        {key: extent(text) for key, text in reactions.items()},
+        tuple(found[text] for text in outputs),
+        {name: (found[effort], found[power]) for name, (effort, power) in efforts.items()},
+        {key: found[text] for key, text in reactions.items()},
         tuple(transmission(run)),
     )
 
 
+def _extents(run: Run, plain: Sequence[str], forces: Sequence[str], progress: Progress) -> dict[str, Extent]:
+    """The extents of signals, and of the magnitudes of forces: all together, these by their squares, which are smooth
+    where a force vanishes."""
+    quantities = run.compiled.quantities
+    if not plain and not forces:
+        return {}
+    texts = [*plain, *(f"{force}.x^2 + {force}.y^2" for force in forces)]
+    trees = [quantities.bind(Expression(text), None) for text in texts]
+    dimensions = [quantities.dimensions.dimension(parse(text)) for text in (*plain, *(f"{f}.x" for f in forces))]
+    sizes = list(map(run.usual, dimensions))
+    search, window = Search(run, trees), intervals(run, None)
+    probes = [Probe(search, tree, window) for tree in trees]
+    progress(1, PARTS)
+    squared = [i >= len(plain) for i in range(len(texts))]
+    look_ahead(probes)
+    progress(2, PARTS)
+    found: dict[str, Extent] = {}
+    squares = mean_squares(probes, squared, sizes)
+    progress(PARTS, PARTS)
+    for text, dimension, probe, square, magnitude in zip(
+        (*plain, *forces), dimensions, probes, squares, squared, strict=True
+    ):
+        ends = [probe.bottom(), probe.top()]
+        if magnitude:
+            ends = [end._replace(value=float(np.sqrt(max(end.value, 0.0)))) for end in ends]
+        found[text] = Extent(text, dimension, ends[0], ends[1], float(np.sqrt(max(square, 0.0))))
+    return found
+
+
 def _reactions(run: Run) -> Iterator[tuple[tuple[str, str, str], str]]:
-    """The magnitude of each contact's force, by joint and links."""
+    """Each contact's force, by joint and links."""
     for contact in run.compiled.quantities.signals.reactions:
-        name = f"force({contact.link}, {contact.on}, {contact.joint})"
-        yield (contact.joint, contact.link, contact.on), f"hypot({name}.x, {name}.y)"
+        force = f"force({contact.link}, {contact.on}, {contact.joint})"
+        yield (contact.joint, contact.link, contact.on), force
 
 
 def overview_entry(found: Overview, run: Run) -> dict[str, Any]:

@@ -85,7 +85,7 @@ class Cycle(Study):
         warned += [*warnings(run), *near(run), *(not_periodic(run) if options.period is not None else [])]
         notes = [*coincident(run), *crossed(run)]
         warned += [*outside(run), *contacts(run)]
-        return CycleOutcome(result, measures, [*warned, *notes])
+        return CycleOutcome(result, measures, [*warned, *notes], site.progress)
 
     def report(self, outcome: CycleOutcome) -> StudyReport:
         """Measures and what verifies them."""

@@ -167,9 +167,11 @@ def transmission(run: Run, flat: Sequence[tuple[str, float]] = ()) -> list[Trans
         return magnitude(*run.compiled.rates(names, t))
 
     found = []
-    for group, name, times in zip(groups, names, turning(run, rates), strict=True):
-        times = np.concatenate([times, [run.start, run.stop]])
-        sines = np.minimum(np.abs(run.compiled.evaluate([name], times)[0]), 1.0)
+    places = [np.concatenate([times, [run.start, run.stop]]) for times in turning(run, rates)]
+    every = np.unique(np.concatenate(places))
+    values = run.compiled.evaluate(names, every)
+    for i, (group, times) in enumerate(zip(groups, places, strict=True)):
+        sines = np.minimum(np.abs(values[i, np.searchsorted(every, times)]), 1.0)
         ends = [time for label, time in flat if label == group.label]
         times, sines = np.concatenate([times, ends]), np.concatenate([sines, np.zeros(len(ends))])
         known = np.isfinite(sines)

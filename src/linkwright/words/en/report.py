@@ -55,7 +55,7 @@ TEXTS: dict[str, str] = {
     "report.live.failed_drive": "The drive {name} has no value at {time}.",
     "report.live.failed_group": "The links of {name} can't be assembled at {time}; the drawing shows the gap.",
     "report.live.failed_higher": "The links of {name} can't be followed beyond {time}: the mechanism reaches a singular position.",
-    "report.live.failed_number": "One of the model's numbers isn't valid at these values.",
+    "report.live.failed_number": "{name}: {what}",
     "report.live.failed_parameter": "The parameter {name} has no value at these values.",
     "report.live.hold": "Lock against dragging",
     "report.live.move": "Motion",

@@ -55,7 +55,7 @@ TEXTS: dict[str, str] = {
     "report.live.failed_drive": "驱动 {name} 在 {time} 处没有数值。",
     "report.live.failed_group": "{name} 的构件在 {time} 处无法装配，图中标出缺口。",
     "report.live.failed_higher": "{name} 的构件在 {time} 之后无法继续计算：机构到达奇异位形。",
-    "report.live.failed_number": "当前数值下，模型中有一个数值无效。",
+    "report.live.failed_number": "{name}：{what}",
     "report.live.failed_parameter": "当前数值下，参数 {name} 没有数值。",
     "report.live.hold": "拖动时保持不变",
     "report.live.move": "运动",

@@ -1,0 +1,142 @@
+"""Conditions on a mechanism's numbers: what must be finite, positive or not negative, and what is wrong otherwise.
+
+A condition is stated once, over whatever gives the numbers: those of one mechanism, arrays of many samples, or symbols,
+of which a page makes the same conditions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from itertools import chain
+from typing import Any
+
+import numpy as np
+
+from linkwright.elements.entries import NumberFault
+from linkwright.expressions.dimensions import DimensionError
+from linkwright.expressions.fields import Expression
+from linkwright.expressions.language import Name
+from linkwright.expressions.typed_fields import Ends, Sign
+from linkwright.expressions.units import Dimension
+from linkwright.findings import Finding, Term
+from linkwright.model.places import ExpressionPlace, Scope, position_parts
+from linkwright.model.quantities import LARGEST, Quantities
+from linkwright.model.walk import QuantityPlace
+
+CONSTANT = (Scope.CONSTANT, Scope.LOAD)
+"""Where constants stand; a load may vary, and is then looked at while it moves."""
+
+Values = Callable[[Expression, Dimension], Any]
+"""Gives the values of expressions (SI): numbers, arrays of samples, or symbols."""
+
+
+@dataclass(frozen=True)
+class Condition:
+    """That ``margin`` (SI) has a ``sign``: POSITIVE, NOT_NEGATIVE, or with ANY only a value below :data:`LARGEST`.
+
+    ``finding`` is what is wrong otherwise. Where that states the margin as ``value``, ``size`` is the SI value of the
+    unit.
+    """
+
+    margin: Any
+    sign: Sign
+    finding: Finding
+    size: float | None = None
+
+    @property
+    def broken(self) -> Any:
+        """Whether it doesn't hold, or in which samples."""
+        if self.sign is Sign.POSITIVE:
+            return np.less_equal(self.margin, 0)
+        if self.sign is Sign.NOT_NEGATIVE:
+            return np.less(self.margin, 0)
+        return np.logical_not(np.abs(self.margin) < LARGEST)
+
+    def fault(self, value: str) -> Finding:
+        """What is wrong, where it states the margin with this text of it."""
+        own = self.finding
+        return own if self.size is None else Finding(own.code, own.path, {**own.data, "value": value})
+
+
+def finite(q: Quantities, values: Values, names: bool = True) -> Iterator[Condition]:
+    """That all constants have a value; without ``names`` those that are more than the name of a parameter."""
+    for place in q.places:
+        composed = names or not isinstance(place.expression.node, Name)
+        if place.scope in CONSTANT and composed and (condition := _finite(q, values, place)) is not None:
+            yield condition
+
+
+def conditions(q: Quantities, values: Values) -> Iterator[Condition]:
+    """All further ones, of numbers that are finite. Of those with the same code and path the first counts that is
+    broken."""
+    stated = [site for site in q.fields if isinstance(site, QuantityPlace)]
+    signs = (one for site in stated for one in signed(q, values, site))
+    intervals = (one for site in stated for one in _interval(q, values, site))
+    return chain(signs, _elements(q, values), _rods(q, values), intervals)
+
+
+def _finite(q: Quantities, values: Values, place: ExpressionPlace) -> Condition | None:
+    try:
+        value = values(place.expression, q.dimensions.resolve(place.wanted))
+    except DimensionError:
+        return None
+    return Condition(value, Sign.ANY, Finding("value.not-finite", place.path, {"text": place.expression.text[:60]}))
+
+
+def signed(q: Quantities, values: Values, site: QuantityPlace) -> Iterator[Condition]:
+    """That a quantity is as large as it must be; of an interval, its lower end."""
+    (expression, of), sign = site.parts[0], site.parts[0][1].sign_at(site.context)
+    if sign is Sign.ANY or (wanted := of.dimension_at(site.context)) is None:
+        return
+    dimension = q.dimensions.resolve(wanted)
+    unit, size = q.unit_of(dimension)
+    finding = Finding("value.too-small", site.path, {"what": Term(of.term), "value": "", "unit": unit})
+    yield Condition(values(expression, dimension), sign, finding, size)
+
+
+def _interval(q: Quantities, values: Values, site: QuantityPlace) -> Iterator[Condition]:
+    """That an interval's ends lie the right way round, or leave something between them."""
+    ends = site.parts[0][1].ends
+    if ends is Ends.ANY or len(site.parts) != 2:
+        return
+    found = [values(place.expression, q.dimensions.resolve(place.wanted)) for place in site.places()]
+    if len(found) == 2:
+        low, high = found
+        texts = (expression.text[:40] for expression, _ in site.parts)
+        finding = Finding("value.not-rising", site.path, dict(zip(("low", "high"), texts, strict=True)))
+        yield Condition(high - low, Sign.NOT_NEGATIVE if ends is Ends.ORDERED else Sign.POSITIVE, finding)
+
+
+def _elements(q: Quantities, values: Values) -> Iterator[Condition]:
+    """What elements say of their numbers together."""
+    m = q.mechanism
+    stated: list[tuple[tuple[str | int, ...], Iterator[NumberFault]]] = [
+        *((one.path, one.entry.number_faults(values)) for one in m.acting()),
+        *((("joints", name), joint.number_faults(values)) for name, joint in m.joints_but_pins()),
+    ]
+    for element, faults in stated:
+        for margin, sign, (code, data, *path) in faults:
+            yield Condition(margin, sign, Finding(code, (*element, *path), data))
+
+
+def _rods(q: Quantities, values: Values) -> Iterator[Condition]:
+    """That the ends of a rod are two places."""
+    for name, link in q.mechanism.links.items():
+        if link.shape and link.shape.form == "rod" and all(point in link.points for point in link.shape.points):
+            ends = [
+                [values(expression, dimension) for expression, dimension in position_parts(link.points[point])]
+                for point in link.shape.points
+            ]
+            if len({link.points[point].polar for point in link.shape.points}) == 1:
+                apart = sum(abs(a - b) for a, b in zip(*ends, strict=True))
+                points = "-".join(link.shape.points)
+                yield Condition(
+                    apart, Sign.POSITIVE, Finding("value.rod", ("links", name, "shape"), {"points": points})
+                )
+
+
+def varying_conditions(q: Quantities, values: Values, varies: Callable[[Any], bool]) -> list[Condition]:
+    """All conditions of which the margin ``varies``, in the order in which they are checked; that a parameter has a
+    value isn't stated again where it stands alone."""
+    return [one for one in chain(finite(q, values, False), conditions(q, values)) if varies(one.margin)]
