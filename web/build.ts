@@ -22,7 +22,17 @@ const shared: BuildOptions = {
 
 /** A script of our own pages. */
 const page = (entry: string, outfile: string, define: Record<string, string> = {}) =>
-  build({ ...shared, define, entryPoints: [`src/entry/${entry}.ts`], format: "iife", outfile: join(folder, outfile) });
+  build({
+    ...shared,
+    define: { "globalThis.DRAWING_STYLES": "undefined", ...define },
+    entryPoints: [`src/entry/${entry}.ts`],
+    format: "iife",
+    outfile: join(folder, outfile),
+  });
+
+/** The style sheet of drawings: a file for pages, a constant for widgets. */
+const drawing = { ...shared, entryPoints: ["src/drawing/drawing.css"] };
+const { outputFiles } = await build({ ...drawing, banner: {}, write: false });
 
 await Promise.all([
   page("languages", "presentation/assets/languages.js"),
@@ -33,8 +43,10 @@ await Promise.all([
     ...shared,
     entryPoints: ["src/entry/widget.ts"],
     format: "esm",
+    define: { "globalThis.DRAWING_STYLES": JSON.stringify(outputFiles[0]!.text.trim()) },
     outfile: join(folder, "report/assets/mechanism.js"),
   }),
+  build({ ...drawing, outfile: join(folder, "report/assets/drawing.css") }),
   build({
     ...shared,
     entryPoints: ["uplot/dist/uPlot.min.css"],

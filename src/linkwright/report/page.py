@@ -140,7 +140,10 @@ def page(data: ReportData) -> str:
         scripts=scripts,
         words=partial(_words, data),
         before=_built("uplot.min.css") + "\n",
-        style="\n" + asset(__package__, "mechanism.css") + (asset(__package__, "studies.css") if charts else ""),
+        style="\n"
+        + _built("drawing.css")
+        + asset(__package__, "mechanism.css")
+        + (asset(__package__, "studies.css") if charts else ""),
     )
 
 
