@@ -133,6 +133,7 @@ def page(data: ReportData) -> str:
         own["numbers"] = pruned([{**number, "locked": bool(str(number["locked"]))} for number in live["numbers"]])
         blocks["live"] = Exact(own)
         scripts.insert(0, f"globalThis.linkwrightPrograms={live['code']}")
+    sheets = ["mechanism.css", *(["studies.css"] if charts else [])]
     return html_file(
         data["title"],
         partial(_body, data),
@@ -140,10 +141,7 @@ def page(data: ReportData) -> str:
         scripts=scripts,
         words=partial(_words, data),
         before=_built("uplot.min.css") + "\n",
-        style="\n"
-        + _built("drawing.css")
-        + asset(__package__, "mechanism.css")
-        + (asset(__package__, "studies.css") if charts else ""),
+        style="\n".join(["", _built("drawing.css"), *map(partial(asset, __package__), sheets)]),
     )
 
 
