@@ -76,8 +76,8 @@ export function livePage({ live, drawing, charts, scene, time, texts, locked, fa
   state.update(original);
 }
 
-/** What is called after each change: `first` in the next frame, the others one a frame after it, so that no frame has to
- * do everything. Those that a next change keeps waiting come first then. */
+/** What is called after each change: `first` in the next frame, the others one a frame after it, so that no frame has
+ * to do everything. Those that a next change keeps waiting come first then. */
 function inTurns(first: () => void, others: readonly (() => void)[]): () => void {
   let [changed, waiting] = [false, false];
   let due: (() => void)[] = [];
