@@ -44,8 +44,8 @@ def set_pose(page: Any, pose: int) -> None:
 
 @dataclass(frozen=True)
 class Picture:
-    """A part of an example's report: from the section ``top`` down, at a sampled pose, with the size in CSS pixels and the
-    boxes of the drawing that are ticked."""
+    """A part of an example's report: from the section ``top`` down, at a sampled pose, with the size in CSS pixels and
+    the boxes of the drawing that are ticked."""
 
     file: str
     example: str

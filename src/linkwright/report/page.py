@@ -19,6 +19,7 @@ from linkwright.words import say
 LIVE_WORDS = (
     "back",
     "balances",
+    "cams",
     "changed",
     "closes",
     "copy",
