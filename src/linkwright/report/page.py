@@ -21,6 +21,7 @@ from linkwright.words import say
 LIVE_WORDS = (
     "back",
     "balances",
+    "cams",
     "changed",
     "closes",
     "copy",

@@ -84,7 +84,8 @@ function stateLine(
   if (!failure) {
     const closes = filled(say("live.closes"), { error: closureError(scene).toExponential(1) });
     const left = live.powerResidual;
-    return left === null ? closes : `${closes} ${filled(say("live.balances"), { error: left.toExponential(1) })}`;
+    const balances = left === null ? "" : ` ${filled(say("live.balances"), { error: left.toExponential(1) })}`;
+    return `${closes}${balances}${live.changed && data.outlines.length ? ` ${say("live.cams")}` : ""}`;
   }
   const names: Record<string, string | undefined> = {
     parameter: data.parameters[failure.index],

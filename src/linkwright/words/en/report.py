@@ -48,6 +48,7 @@ TEXTS: dict[str, str] = {
     "report.link_names": "Link names",
     "report.live.back": "Back to the last values that can be assembled",
     "report.live.balances": "Power balances at every pose: largest relative residual {error}, computed in this page.",
+    "report.live.cams": "The cam profiles follow; undercut and lift-off of the cams are not checked here.",
     "report.live.changed": "Changed: not verified",
     "report.live.closes": "All joints close at every pose: largest closure error {error} relative to the mechanism, computed in this page.",
     "report.live.copy": "Copy the changed lines",

@@ -48,6 +48,7 @@ TEXTS: dict[str, str] = {
     "report.link_names": "构件名称",
     "report.live.back": "恢复到可装配的上一组数值",
     "report.live.balances": "各位姿的功率平衡：最大相对残差 {error}，由本页面计算。",
+    "report.live.cams": "凸轮廓线随之更新；凸轮的运动失真（根切）和脱离在此不作检查。",
     "report.live.changed": "已修改：未验证",
     "report.live.closes": "各运动副在所有位姿均封闭：相对于机构尺寸的最大封闭误差 {error}，由本页面计算。",
     "report.live.copy": "复制修改的行",
