@@ -1,10 +1,11 @@
 """The live report in Chromium: ``python benchmarks/live_page.py [--json] [--frames 120] [EXAMPLE ...]``.
 
 Of each report: its size, as it is and as sent (gzip); per change of a number the time of computing all signals and
-measures' rows (``compute``, by the page's clock), and the processor time of the scripts, of styles and layout, as
-Chromium's profiler has them, for the whole change: compute, drawing, visible plots, measures. Percentiles over frames;
-the machine's other work is in them. Also the time of a pose beside a plain loop of as many multiplications and
-additions as the program has instructions, in the same page.
+measures' rows (``compute``, by the page's clock), and the processor time of the scripts, of styles and layout, by the
+clock of Chromium's thread, for the whole change: compute, drawing, visible plots, measures. While a joint is dragged
+round a small circle, one move a frame: the same processor time of each frame, as Chromium's trace has it, and the time
+from frame to frame. Also the time of a pose beside a plain loop of as many multiplications and additions as the program
+has instructions, in the same page.
 """
 
 from __future__ import annotations
@@ -28,7 +29,8 @@ from linkwright.report.build import report_data
 from linkwright.report.data import LiveData
 from linkwright.report.page import page
 
-EXAMPLES = ("paper_feeder", "jansen_leg", "loader")
+EXAMPLES = {"paper_feeder": "C", "jansen_leg": "D", "loader": "S"}
+"""Reports, and the joint that is dragged in each; elsewhere the last point is."""
 FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking"]
 
 CHANGE = """async k => {
@@ -49,6 +51,19 @@ LOOP = """() => {
     }
   return times;
 }"""
+ROUND = """([x, y, frames]) => new Promise(done => {
+  const picture = linkwright.drawing.picture, times = [];
+  const step = (k = 0) => {
+    times.push(performance.now());
+    const [c, s] = [Math.cos(k * Math.PI / 10), Math.sin(k * Math.PI / 10)];
+    const at = { clientX: x + 8 * (c - 1), clientY: y - 8 * s, pointerId: 1, buttons: 1, bubbles: true };
+    picture.dispatchEvent(new PointerEvent("pointermove", { ...at, pointerType: "mouse", isPrimary: true }));
+    if (k < frames) requestAnimationFrame(() => step(k + 1)); else done(times);
+  };
+  requestAnimationFrame(() => step());
+})"""
+TRACED = ["devtools.timeline", "devtools.timeline.frame", "disabled-by-default-devtools.timeline", "toplevel"]
+WORK = ("FireAnimationFrame", "UpdateLayoutTree", "Layout", "EventDispatch", "TimerFire", "MinorGC", "MajorGC")
 KINDS = ("ScriptDuration", "RecalcStyleDuration", "LayoutDuration")
 
 
@@ -65,7 +80,8 @@ def measured(browser: Any, example: str, frames: int) -> dict[str, Any]:
         view.goto(path.as_uri())
         view.evaluate("linkwright.drawing.pause()")
         session = view.context.new_cdp_session(view)
-        session.send("Performance.enable")
+        session.send("Performance.enable", {"timeDomain": "threadTicks"})
+        worked, intervals = dragged(browser, view, EXAMPLES.get(example), frames)
 
         def used() -> float:
             found = {one["name"]: one["value"] for one in session.send("Performance.getMetrics")["metrics"]}
@@ -90,8 +106,39 @@ def measured(browser: Any, example: str, frames: int) -> dict[str, Any]:
         "compute ms, p95": round(float(np.percentile(computed[half:], 95)), 2),
         "change ms, median": round(float(np.median(whole[half:])), 2),
         "change ms, p95": round(float(np.percentile(whole[half:], 95)), 2),
+        "frame of a drag ms, median": round(float(np.median(worked)), 2),
+        "frame of a drag ms, p95": round(float(np.percentile(worked, 95)), 2),
+        "from frame to frame ms, median": round(float(np.median(intervals)), 1),
+        "from frame to frame ms, p95": round(float(np.percentile(intervals, 95)), 1),
         "over plain loop": round(float(np.median(run[5:] / plain[5:])), 2),
     }
+
+
+def dragged(browser: Any, view: Any, point: str | None, frames: int) -> tuple[np.ndarray, np.ndarray]:
+    """Of each frame of a drag the processor time (ms) of the page's thread, and the time from frame to frame (ms)."""
+    view.evaluate("linkwright.drawing.setIndex(40)")
+    point = point or view.evaluate("linkwright.live.data.program.points")[-1]
+    box = view.locator(f'#drawing [data-point="{point}"]').bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    view.mouse.move(x, y)
+    view.mouse.down()
+    view.evaluate(ROUND, [x, y, frames])
+    browser.start_tracing(page=view, categories=TRACED)
+    times = view.evaluate(ROUND, [x, y, frames])
+    events = json.loads(browser.stop_tracing())["traceEvents"]
+    view.mouse.up()
+    view.evaluate("linkwright.live.reset()")
+    view.wait_for_timeout(500)
+    fired = [(event["pid"], event["tid"]) for event in events if event["name"] == "FireAnimationFrame"]
+    thread = max(set(fired), key=fired.count)
+    own = [event for event in events if (event["pid"], event["tid"]) == thread]
+    ends = sorted(event["ts"] for event in events if event["name"] == "Commit" and event["pid"] == thread[0])
+    spent, end = np.zeros(len(ends) + 1), 0.0
+    for event in sorted((e for e in own if e["name"] in WORK and e["ph"] == "X"), key=lambda e: (e["ts"], -e["dur"])):
+        if event["ts"] >= end:  # what lies within another one is counted there
+            end = event["ts"] + event["dur"]
+            spent[np.searchsorted(ends, event["ts"])] += event["tdur"] / 1e3
+    return spent[2:-2], np.diff(times)
 
 
 def main() -> None:

@@ -13,7 +13,7 @@ from types import ModuleType
 import pytest
 
 from linkwright.report import data
-from linkwright.report.page import SCRIPT_WORDS
+from linkwright.report.page import SCRIPT_WORDS, STUDY_WORDS
 
 ROOT = Path(__file__).parents[1]
 SOURCES = [path for folder in ("src", "test") for path in sorted((ROOT / "web" / folder).rglob("*.ts"))]
@@ -82,7 +82,7 @@ def test_scripts_ask_for_the_words_that_the_page_gives() -> None:
     asked = {f"report.{key}" for call in calls for key in re.findall(r'"([\w.]+)"', call)}
     asked |= {f"report.live.{kind}" for kind in MADE}  # by a key that is put together
     asked |= set(re.findall(r'"(report\.[\w.]+)"', text))
-    assert asked == set(SCRIPT_WORDS)
+    assert asked == {*SCRIPT_WORDS, *STUDY_WORDS}
 
 
 MADE = ("shape", "move", *(f"failed_{kind}" for kind in ("drive", "group", "higher", "number", "parameter")))

@@ -23,7 +23,7 @@ import linkwright
 ROOT = Path(__file__).resolve().parents[1]
 IMAGES = ROOT / "docs" / "images"
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
-COLOURS = 40
+COLOURS = 64
 """Of a film."""
 
 
@@ -44,7 +44,8 @@ def set_pose(page: Any, pose: int) -> None:
 
 @dataclass(frozen=True)
 class Picture:
-    """A part of an example's report: from the section ``top`` down, at a sampled pose, with the size in CSS pixels."""
+    """A part of an example's report: from the section ``top`` down, at a sampled pose, with the size in CSS pixels and
+    the boxes of the drawing that are ticked."""
 
     file: str
     example: str
@@ -52,12 +53,15 @@ class Picture:
     pose: int
     width: int = 1500
     height: int = 1010
+    ticked: tuple[str, ...] = ()
 
     def take(self, browser: Any, report: Path) -> None:
         """Save what is on screen."""
         page = opened(browser, report, self.width, self.height)
         if self.top is not None:
             page.locator(f"#{self.top}").evaluate("section => section.scrollIntoView()")
+        for label in self.ticked:
+            page.locator("#drawing").get_by_label(label, exact=True).check()
         set_pose(page, self.pose)
         page.screenshot(path=IMAGES / self.file)
         page.close()
@@ -76,11 +80,12 @@ class Film:
     def take(self, browser: Any, report: Path) -> None:
         """Save the drawing of each pose, all in the colours of the first."""
         page = opened(browser, report, self.width, 1000)
+        page.add_style_tag(content=".lw-tools { visibility: hidden }")
         frames: list[Image.Image] = []
         for pose in range(0, int(page.get_by_role("slider", name="time").get_attribute("max")), self.stride):
             set_pose(page, pose)
             shot = Image.open(io.BytesIO(page.locator("#drawing svg").first.screenshot())).convert("RGB")
-            first = frames[0] if frames else shot.quantize(COLOURS)
+            first = frames[0] if frames else shot.quantize(COLOURS, Image.Quantize.MAXCOVERAGE)
             frames.append(shot.quantize(palette=first, dither=Image.Dither.NONE))
         more: dict[str, Any] = {"save_all": True, "append_images": frames[1:], "duration": self.pause, "loop": 0}
         frames[0].save(IMAGES / self.file, optimize=True, **more)
@@ -89,7 +94,7 @@ class Film:
 
 PICTURES = (
     Picture("paper_feeder.png", "paper_feeder", None, 160),
-    Picture("paper_feeder_forces.png", "paper_feeder", "force", 160),
+    Picture("paper_feeder_forces.png", "paper_feeder", "plots", 18, height=830, ticked=("Reactions", "Moments")),
     Film("paper_feeder.gif", "paper_feeder", 6, 45),
 )
 

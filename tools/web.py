@@ -25,8 +25,10 @@ BUILT = (
     "exports/process_simulate/sheet.js",
     "presentation/assets/languages.js",
     "report/assets/LICENSE.uplot.txt",
+    "report/assets/drawing.css",
     "report/assets/mechanism.js",
     "report/assets/report.js",
+    "report/assets/report_studies.js",
     "report/assets/uplot.min.css",
 )
 """What web/build.ts writes, below the package."""

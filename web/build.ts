@@ -21,19 +21,32 @@ const shared: BuildOptions = {
 };
 
 /** A script of our own pages. */
-const page = (entry: string, outfile: string) =>
-  build({ ...shared, entryPoints: [`src/entry/${entry}.ts`], format: "iife", outfile: join(folder, outfile) });
+const page = (entry: string, outfile: string, define: Record<string, string> = {}) =>
+  build({
+    ...shared,
+    define: { "globalThis.DRAWING_STYLES": "undefined", ...define },
+    entryPoints: [`src/entry/${entry}.ts`],
+    format: "iife",
+    outfile: join(folder, outfile),
+  });
+
+/** The style sheet of drawings: a file for pages, a constant for widgets. */
+const drawing = { ...shared, entryPoints: ["src/drawing/drawing.css"] };
+const { outputFiles } = await build({ ...drawing, banner: {}, write: false });
 
 await Promise.all([
   page("languages", "presentation/assets/languages.js"),
-  page("report", "report/assets/report.js"),
+  page("report", "report/assets/report.js", { "globalThis.WITHOUT_STUDIES": "true" }),
+  page("report_studies", "report/assets/report_studies.js"),
   page("sheet", "exports/process_simulate/sheet.js"),
   build({
     ...shared,
     entryPoints: ["src/entry/widget.ts"],
     format: "esm",
+    define: { "globalThis.DRAWING_STYLES": JSON.stringify(outputFiles[0]!.text.trim()) },
     outfile: join(folder, "report/assets/mechanism.js"),
   }),
+  build({ ...drawing, outfile: join(folder, "report/assets/drawing.css") }),
   build({
     ...shared,
     entryPoints: ["uplot/dist/uPlot.min.css"],

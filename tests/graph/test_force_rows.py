@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import linkwright as lw
+from helpers.examples import four_bar
 from linkwright.graph.force_rows import AppliedForce, ReactionPlace, Weight
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -23,6 +24,7 @@ def cycle(example: str) -> Any:
 def test_labels() -> None:
     assert AppliedForce("loads", "push", 0, "at_x").label == "loads/push/0/at_x"
     assert Weight("crank", "y").label == "weight/crank/y"
+    assert AppliedForce("loads", "push", 0, "moment").label == "loads/push/0/moment"
     assert ReactionPlace("rail", "frame", "x").label == "place/rail/frame/x"
 
 
@@ -53,3 +55,24 @@ def test_the_reaction_of_a_slide_is_stated_at_the_point_of_its_second_link() -> 
     result = cycle("paper_feeder")
     rows = [ReactionPlace("rail", "frame", part) for part in "xy"]
     assert result.run.compiled.evaluate(rows, result.t) == pytest.approx(np.array([result["G.x"], result["G.y"]]))
+
+
+def test_a_torsional_spring_acts_by_opposite_couples() -> None:
+    """Its torque signal is positive where it turns its first link clockwise."""
+    data = four_bar(springs={"hold": {"turns": "rocker", "on": "coupler", "stiffness": "3 N*m/rad", "free": "0.4 rad"}})
+    job = lw.run(lw.Document.model_validate(data | {"studies": {"cycle": {"turns": "1 motor", "samples": 24}}}))
+    assert job.cycle is not None
+    result = job.cycle.result
+    compiled = result.run.compiled
+    graph = compiled.graph
+    (hold,) = graph.actions.every
+    assert graph.acted_on(hold) == ["rocker", "coupler"] and graph.acts_by_couples(hold)
+    on, off = compiled.evaluate([AppliedForce("springs", "hold", i, "moment") for i in (0, 1)], result.t)
+    between = result["rocker.angle"] - result["coupler.angle"]
+    assert on == pytest.approx(-3 * (between - 0.4), abs=1e-9)
+    assert off == pytest.approx(-on)
+
+
+def test_a_force_is_no_couple() -> None:
+    graph = cycle("loader").run.compiled.graph
+    assert not any(graph.acts_by_couples(one) for one in graph.actions.every if one.name == "payload")

@@ -19,7 +19,7 @@ from linkwright.compilation import compile_mechanism
 from linkwright.graph.program import Program
 from linkwright.kernels import Compiled
 from linkwright.kernels.llvm_entries import text
-from linkwright.kernels.llvm_kernel import PAST, LlvmKernel, PoseFunction
+from linkwright.kernels.llvm_kernel import FEW, PAST, LlvmKernel, PoseFunction
 from linkwright.kernels.llvm_source import CACHED, LANES, LONGEST, KernelSource
 from linkwright.kernels.machine_code import Machine, this_machine
 from linkwright.kernels.numpy_blocks import NumpyKernel
@@ -96,19 +96,33 @@ def test_angles_too_large_to_be_reduced_are_nan(four_bar: Compiled, kernel: Llvm
     assert np.isnan(found[0, 1])
 
 
+@pytest.mark.parametrize("step", [0, 3])
 @pytest.mark.parametrize("offset", [0, 1, 5])
-def test_stores_past_the_cache(offset: int, four_bar: Compiled, kernel: LlvmKernel) -> None:
-    """Large outputs, from an aligned address and not: the same bits as small ones, and nothing beside them."""
-    poses = PAST // (8 * len(NAMES)) // 8 * 8 + 8
+@pytest.mark.parametrize("more", [0, 1, 8, LANES[0] - 3])
+def test_stores_past_the_cache(more: int, offset: int, step: int, four_bar: Compiled, kernel: LlvmKernel) -> None:
+    """Large outputs: the same bits as small ones, and nothing beside them. Rows begin at full lines of the cache or
+    each at another part of one; the last block is full, nearly, or has one pose."""
+    poses = -(-PAST // (8 * len(NAMES)) // LANES[0]) * LANES[0] + more
     x = np.tile(four_bar.inputs(np.linspace(0.1, 6.0, 1000)), -(-poses // 1000))[:, :poses]
-    room = np.full((len(NAMES), poses + 16), 7.0)
+    room = np.full((len(NAMES), -(-poses // 8) * 8 + 16 + step), 7.0)
     out = room[:, offset : offset + poses]
+    assert out.nbytes >= PAST
     kernel.run(x, four_bar.parameters, out)
     small = kernel.run(np.ascontiguousarray(x[:, :1000]), four_bar.parameters)
-    assert np.array_equal(out[:, :1000], small)
-    assert np.array_equal(out[:, -1000:], kernel.run(np.ascontiguousarray(x[:, -1000:]), four_bar.parameters))
+    assert np.array_equal(out, np.tile(small, -(-poses // 1000))[:, :poses])
     assert (room[:, :offset] == 7.0).all()
     assert (room[:, offset + poses :] == 7.0).all()
+
+
+@pytest.mark.parametrize("poses", [FEW, 2 * LANES[0], 3 * LANES[0] + 5])
+@pytest.mark.parametrize("shared", [True, False])
+def test_samples_are_stored_past_the_cache(shared: bool, poses: int, four_bar: Compiled, kernel: LlvmKernel) -> None:
+    """The same of many samples, each of which begins at a place of its own."""
+    count = -(-PAST // (8 * len(NAMES) * poses)) + 1
+    x, p = four_bar.inputs(np.linspace(0.1, 6.0, poses)), np.tile(samples(four_bar, 7), -(-count // 7))[:, :count]
+    out = kernel.over(x if shared else np.repeat(x[:, None], count, axis=1), p)
+    assert out.nbytes >= PAST
+    assert np.array_equal(out, np.tile(kernel.over(x, p[:, :7]), (1, -(-count // 7), 1))[:, :count])
 
 
 @pytest.mark.parametrize("workers", [1, 2, 3])
@@ -147,8 +161,8 @@ def chain(dyads: int) -> dict[str, Any]:
 
 def test_long_programs_are_split() -> None:
     """Functions of at most some 500 instructions, whose values pass over rows that are used again."""
-    compiled = compiled_from(chain(4))
-    program = compiled.graph.program(["motor.torque", "F2.x", "arm2.alpha"])
+    compiled = compiled_from(chain(8))
+    program = compiled.graph.program(["motor.torque", "F6.x", "arm6.alpha"])
     source = KernelSource.fitting(program, "apart", this_machine())
     assert source.lanes < LANES[0]
     assert source.rows.count * source.lanes <= CACHED

@@ -12,7 +12,8 @@ import pytest
 
 import linkwright as lw
 from helpers.browsers import chromium
-from linkwright.report import ReportData, page
+from helpers.opened import OpenedDrawing, opened, written
+from linkwright.report import ReportData
 from linkwright.report.build import report_data
 
 pytestmark = pytest.mark.browser
@@ -36,72 +37,9 @@ def reported(example: str) -> ReportData:
     return report_data(lw.load(EXAMPLES / f"{example}.yaml"), ran(example).outcomes)
 
 
-class Opened:
-    """A live report on screen."""
-
-    def __init__(self, browser: Any, path: Path, **settings: Any) -> None:
-        settings = {"viewport": {"width": 1400, "height": 1000}, "reduced_motion": "reduce"} | settings
-        self.context = browser.new_context(**settings)
-        self.page = self.context.new_page()
-        self.complaints: list[str] = []
-        self.page.on("console", lambda m: self.complaints.append(m.text))
-        self.page.on("pageerror", lambda e: self.complaints.append(str(e)))
-        self.page.goto(path.as_uri())
-        self.drawing = self.page.locator("#drawing")
-        self.picture = self.drawing.locator("svg.lw-drawing")
-
-    def settle(self) -> None:
-        self.page.evaluate("() => new Promise(r => requestAnimationFrame(() => requestAnimationFrame(r)))")
-
-    def at(self, index: int) -> None:
-        self.page.evaluate("i => linkwright.drawing.setIndex(i)", index)
-
-    def change(self, label: str, factor: float) -> None:
-        """Multiply a number of the file."""
-        self.page.evaluate(
-            """([label, factor]) => { const { live } = linkwright;
-            const i = live.data.numbers.findIndex(each => each.label === label);
-            live.set(i, live.data.numbers[i].value * factor); }""",
-            [label, factor],
-        )
-        self.settle()
-
-    def pin(self, name: str) -> complex:
-        """A point's place in the drawing, in its pixels, y up."""
-        circle = self.picture.locator(f'[data-point="{name}"]')
-        return complex(float(circle.get_attribute("cx")), -float(circle.get_attribute("cy")))
-
-    def arrow(self, kind: str, name: str) -> tuple[complex, complex]:
-        """Where an arrow begins, and its vector, in the drawing's pixels, y up; NaN and zero where it is too short."""
-        d = self.picture.locator(f'.lw-{kind}[data-arrow="{name}"]').get_attribute("d")
-        if not d:
-            return complex(np.nan), 0j
-        points = [complex(*(float(c) for c in at.split())).conjugate() for at in d.strip("MZ").split("L")]
-        return points[0], points[3] - points[0]  # shaft, neck, a side of the head, its tip
-
-    def readout(self) -> list[str]:
-        box = self.drawing.locator(".lw-hover")
-        return [text.replace("−", "-") for text in box.locator("b, span").all_inner_texts()] if box.is_visible() else []
-
-    def show(self, *names: str) -> None:
-        for name in names:
-            self.drawing.get_by_label(name, exact=True).check()
-
-
 @pytest.fixture
 def show(browser: Any, tmp_path: Path) -> Iterator[Any]:
-    opened: list[Opened] = []
-
-    def open_(data: ReportData, **settings: Any) -> Opened:
-        path = tmp_path / f"report{len(opened)}.html"
-        path.write_text(page(data), encoding="utf-8")
-        opened.append(Opened(browser, path, **settings))
-        return opened[-1]
-
-    yield open_
-    for each in opened:
-        assert each.complaints == []
-        each.context.close()
+    yield from opened(browser, written(tmp_path), OpenedDrawing)
 
 
 def complex_row(result: Any, name: str) -> Any:
@@ -237,6 +175,43 @@ def test_zooming_keeps_the_place_under_the_pointer_and_fit_goes_back(show: Any) 
     assert abs(view.pin("D") - view.pin("A")) == pytest.approx(1.4 * abs(home["D"] - home["A"]), rel=1e-3)
     view.picture.dblclick(position={"x": 12, "y": 60})
     assert view.pin("A") == home["A"]
+
+
+def test_keys_pan_and_zoom_while_the_drawing_has_the_focus(show: Any) -> None:
+    view = show(reported("paper_feeder"))
+    keys, home = view.page.keyboard, {name: view.pin(name) for name in "AD"}
+    view.at(20)
+    slider, hint = view.drawing.get_by_role("slider", name="time"), view.drawing.locator(".lw-keys")
+    assert not hint.is_visible()
+    view.picture.focus()
+    keys.press("Shift+Tab")
+    keys.press("Tab")
+    assert hint.is_visible() and hint.get_attribute("id") == view.picture.get_attribute("aria-describedby")
+    assert all(key in hint.inner_text() for key in "+−0")
+    scroll = view.page.evaluate("scrollY")
+    for pressed, by in (("ArrowRight", -40), ("ArrowDown", 40j), ("Shift+ArrowLeft", 160), ("Shift+ArrowUp", -160j)):
+        before = view.pin("A")
+        keys.press(pressed)
+        view.settle()
+        assert view.pin("A") - before == pytest.approx(by, abs=0.05)
+    assert view.page.evaluate("scrollY") == scroll and slider.input_value() == "20"  # neither page nor time moved
+    keys.press("0")
+    view.settle()
+    assert {name: view.pin(name) for name in "AD"} == home
+    for pressed, factor in (("+", 1.4), ("-", 1.0), ("-", 1 / 1.4), ("=", 1.0)):
+        keys.press(pressed)
+        view.settle()
+        assert abs(view.pin("D") - view.pin("A")) == pytest.approx(factor * abs(home["D"] - home["A"]), rel=1e-3)
+    for pressed in ("Control+0", "a", "Alt+ArrowUp"):
+        before = view.pin("A")
+        keys.press(pressed)
+        view.settle()
+        assert view.pin("A") == before
+    slider.focus()
+    before = view.pin("A")
+    keys.press("ArrowRight")
+    view.settle()
+    assert slider.input_value() == "21" and view.pin("A") == before  # the time has its own keys
 
 
 def test_without_a_zoom_the_ground_is_not_dragged(show: Any) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
 
 from linkwright.findings import Said
@@ -27,6 +28,7 @@ from linkwright.presentation.blocks import (
     Table,
 )
 from linkwright.presentation.cells import NumberCell
+from linkwright.presentation.charts import Axis, Graph
 from linkwright.report.html_blocks import html, section
 from linkwright.report.prose import prose
 
@@ -38,6 +40,7 @@ HOSTILES: list[tuple[Block, int]] = [
     (Table("one", HOSTILE, [HOSTILE], [[HOSTILE], [NumberCell(None, unknown=HOSTILE)]]), 6),  # heads stand by cells too
     (Charts([Chart(HOSTILE, lambda: SVG)]), 1),
     (Charts([Chart("", lambda: SVG, HOSTILE, (0,))], [Slider(HOSTILE, [HOSTILE, "2 mm"], 0)]), 4),
+    (Charts([Chart(HOSTILE, shown=lambda: Graph(Axis(""), np.zeros(1), Axis("", HOSTILE), []))]), 2),
     (Copied(HOSTILE, HOSTILE), 2),
     (Cards("assembly", ("", "", ""), [Card(HOSTILE, HOSTILE, lambda: SVG, [HOSTILE], "")]), 3),
     (Cards("assembly", ("", "", ""), [Card("", "", lambda: SVG, [], HOSTILE)]), 1),

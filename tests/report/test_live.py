@@ -81,8 +81,9 @@ def test_random_numbers_of_the_file(name: str) -> None:
     assert np.nanquantile(error, 0.99) < 3e-10
 
 
-@pytest.mark.parametrize(("name", "most"), [("paper_feeder", 295e3), ("jansen_leg", 330e3), ("loader", 360e3)])
-def test_the_page_is_no_larger_than_tables_made_it(name: str, most: float) -> None:
+@pytest.mark.parametrize(("name", "most"), [("paper_feeder", 310e3), ("jansen_leg", 335e3), ("loader", 375e3)])
+def test_pages_stay_small(name: str, most: float) -> None:
+    """Scripts and texts are two thirds of a page; its data grows by what is added to a mechanism's signals alone."""
     assert len(page(report_of(name)).encode()) < most
 
 

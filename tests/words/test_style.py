@@ -52,7 +52,6 @@ ALLOWED = {
     "report.play": "Play",  # the button that begins the animation
     "report.plots_hint": "hold",  # the mechanism stays where it is
     "sheet.hand.text": "hold",  # the hand holds back
-    "cam.chart.map": "met",  # limits are met, requirements and checks are passed
     "cli.outdated": "kept",  # files are
     "term.interrupted-kept": "kept",
 }

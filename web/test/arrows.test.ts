@@ -1,8 +1,11 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { arrowPath, arrowScale, arrowsOf, longestOf } from "../src/drawing/arrows.ts";
-import { readout } from "../src/drawing/readout.ts";
+import { turnPath } from "../src/drawing/moments.ts";
+import { arrowAt } from "../src/drawing/pick.ts";
+import { readout, valueOf } from "../src/drawing/readout.ts";
 import { survey } from "../src/drawing/survey.ts";
+import { fit } from "../src/drawing/view.ts";
 import type { Scene } from "../src/scene/data.ts";
 
 const scene: Scene = {
@@ -55,7 +58,51 @@ test("a readout has place, speed and the largest reaction of a pin", () => {
   const facts = survey(scene);
   const pin = (name: string) => facts.pins.find((each) => each.name === name)!;
   assert.deepEqual(readout(facts, pin("B"), 1, 0), {
-    name: "B", at: [0, 2], speed: { value: 3, unit: "mm/s" }, reaction: null,
+    name: "B", at: [0, 2], speed: { value: 3, unit: "mm/s" }, reaction: null, moments: [],
   });
   assert.deepEqual(readout(facts, pin("A"), 0, 0)?.reaction, { value: 10, unit: "N" });
+});
+
+const turned: Scene = {
+  ...scene,
+  arrows: [
+    ...scene.arrows!,
+    { kind: "moment", name: "motor.torque", unit: "N·m", rows: ["motor.torque"], at: ["frame", "A"] },
+    { kind: "moment", name: "unknown", unit: "N·m", rows: ["other.torque"], at: ["frame", "A"] },
+  ],
+  values: { ...scene.values, "motor.torque": [-2, 4] },
+};
+
+test("a moment has one row, a scale of its own, and stands beside the values of its pin", () => {
+  const facts = survey(turned);
+  assert.equal(facts.arrows.length, 4);
+  assert.deepEqual(facts.longest.get("moment"), { value: 4, unit: "N·m" });
+  assert.equal(arrowScale(facts.longest, "moment", 1, 1000), 10);
+  assert.equal(arrowScale(facts.longest, "moment", 2, 300), 11);
+  assert.deepEqual(valueOf(facts, facts.arrows[3]!, 0, 0), { value: -2, unit: "N·m" });
+  const pin = facts.pins.find(({ name }) => name === "A")!;
+  assert.deepEqual(readout(facts, pin, 0, 0)?.moments, [["motor.torque", { value: -2, unit: "N·m" }]]);
+  assert.deepEqual(readout(facts, facts.pins.find(({ name }) => name === "B")!, 0, 0)?.moments, []);
+});
+
+test("a moment's arrow leaves a gap below; negative ones are mirror images", () => {
+  const numbers = (path: string): number[] => path.match(/-?[\d.]+/g)!.map(Number);
+  const path = turnPath([10, 20], 20);
+  assert.match(path, /^M24\.1\d 34\.1\dA20 20 0 1 0 .*A20 20 0 1 1 24\.1\d 34\.1\dZ$/); // counter-clockwise, y is down
+  assert.match(turnPath([10, 20], -20), /^M-4\.1\d 34\.1\dA20 20 0 1 1 /);
+  assert.equal(numbers(path).length, numbers(turnPath([10, 20], -20)).length);
+  assert.equal(turnPath([10, 20], 1.9), "");
+  assert.equal(turnPath([10, 20], NaN), "");
+});
+
+test("the nearest arrow of the kinds that are seen is found", () => {
+  const facts = survey(turned);
+  const view = fit(facts, 900, 500);
+  const [x, y] = view.toScreen([0, 0]);
+  const at = (dx: number, dy: number, kinds: readonly ("moment" | "reaction")[]) =>
+    arrowAt(facts, view, new Map(kinds.map((kind) => [kind, 1])), 0, [x + dx, y + dy], 5)?.data.name;
+  assert.equal(at(0, -20, ["moment"]), "motor.torque"); // half of the largest, whose radius is 40
+  assert.equal(at(0, -27, ["moment"]), undefined);
+  assert.equal(at(0, -20, []), undefined);
+  assert.equal(at(21, -28, ["moment", "reaction"]), "force(frame, crank)");
 });

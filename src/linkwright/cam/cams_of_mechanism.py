@@ -7,9 +7,10 @@ The second disc of a conjugate pair is such a mirror image of the first, as its 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import atan2, cos, pi, sin
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,7 +31,8 @@ from linkwright.elements.cam_contact.second import second_seat
 from linkwright.expressions import units as u
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
-from linkwright.notation import Jet
+from linkwright.notation import Jet, Pair, Scalar
+from linkwright.notation.jets import call
 
 Array = NDArray[np.float64]
 Parameters = Mapping[str, float]
@@ -114,14 +116,40 @@ def _read(compiled: Compiled, name: str, parameters: Parameters | None) -> tuple
     return drive, seat(_geometry(compiled, parameters), drive)
 
 
+def outline(
+    geometry: Geometry, drive: CamFollower, angle: Jet, lift: Jet, flanks: Sequence[int]
+) -> list[tuple[Scalar, Scalar]]:
+    """Places (m) on the ``flanks`` of a cam's first disc (-1: where a follower rests, +1: the outer one of a groove) in
+    the axes of its link, from the cam angle (rad) and the lift (m or rad) as jets of it, of order 2.
+
+    Numbers or symbols, as the geometry has them.
+    """
+    here, mirror = seat(geometry, drive), _mirror(drive)
+    made = Disc(_follower(drive, here, lambda value: value), lambda _: lift, mirror * sense(geometry, drive))
+    pitch, normal, *_ = made.envelope(angle, made.follower.held(lift + here.start))
+    way = here.pivot.minus(here.shaft) if here.turns else Pair(here.way.y, -here.way.x)
+    size = call("sqrt", way.dot(way))
+    turn = sense(geometry, drive) * geometry.number(drive.cam.phase, u.ANGLE)
+    shaft, found = geometry.point(drive.cam.cam, drive.shaft[0]), []
+    for flank in flanks:
+        x, y = (p.d[0] + flank * here.roller * n.d[0] for p, n in zip(pitch, normal, strict=True))
+        at = Pair(x, mirror * y).rotated(Pair(way.x / size, way.y / size)).rotated(_unit(turn))
+        found.append((shaft.x + at.x, shaft.y + at.y))
+    return found
+
+
+def _unit(angle: Scalar) -> Pair:
+    return Pair(call("cos", angle), call("sin", angle))
+
+
 def _mirror(drive: CamFollower) -> int:
     return drive.side if drive.pivot is not None else 1
 
 
-def _follower(drive: CamFollower, here: CamPair) -> CamFollowerGeometry:
-    base, roller, aside, reach = (float(value) for value in (here.base, here.roller, here.aside, here.reach))
+def _follower(drive: CamFollower, here: CamPair, number: Callable[[Scalar], Any] = float) -> CamFollowerGeometry:
+    base, roller, aside, reach = (number(value) for value in (here.base, here.roller, here.aside, here.reach))
     if here.turns:
-        distance = float(here.distance)
+        distance = number(here.distance)
         return SwingingFlat(base, distance, reach) if here.faced else SwingingRoller(base, roller, distance, reach)
     if here.faced:
         return TranslatingFlat(base)

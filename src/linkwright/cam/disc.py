@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.cam.followers import CamFollowerGeometry, Vector, cross, dot, rotated
+from linkwright.cam.followers import CamFollowerGeometry, ContactJets, Vector, cross, dot, rotated
 from linkwright.notation import Jet
 
 Array = NDArray[np.float64]
@@ -122,11 +122,18 @@ class Disc:
         angle = Jet([theta, np.ones_like(theta), *(np.zeros_like(theta) for _ in range(order - 1))])
         lift = self.lift(angle)
         with np.errstate(divide="ignore", invalid="ignore"):  # in a cusp the curvature is infinite
-            made = self._flat_face_contact(angle, lift) if self.follower.faced else self._roller_contact(angle, lift)
+            made = self.envelope(angle, self.follower.touch(lift))
         return DiscJets(theta, lift, *made)
 
-    def _roller_contact(self, angle: Jet, lift: Jet) -> tuple[Vector, Vector, Jet, Jet, Jet, Vector, Vector, Vector]:
-        centre = self.follower.touch(lift).at
+    def envelope(self, angle: Jet, touch: ContactJets) -> tuple[Vector, Vector, Jet, Jet, Jet, Vector, Vector, Vector]:
+        """The parts of :class:`DiscJets` from ``pitch`` on, from the cam angle and what the follower holds against the
+        cam as jets of it, of order 2 at least; numbers or symbols."""
+        return self._flat_face_contact(angle, touch) if self.follower.faced else self._roller_contact(angle, touch)
+
+    def _roller_contact(
+        self, angle: Jet, touch: ContactJets
+    ) -> tuple[Vector, Vector, Jet, Jet, Jet, Vector, Vector, Vector]:
+        centre = touch.at
         assert centre is not None
         way = self._rate_in_cam(centre)
         square = dot(way, way)
@@ -141,8 +148,9 @@ class Disc:
         """The derivative of a vector as the cam sees it, in directions of the fixed frame."""
         return a[0].rate() + self.sense * a[1], a[1].rate() - self.sense * a[0]
 
-    def _flat_face_contact(self, angle: Jet, lift: Jet) -> tuple[Vector, Vector, Jet, Jet, Jet, Vector, Vector, Vector]:
-        touch = self.follower.touch(lift)
+    def _flat_face_contact(
+        self, angle: Jet, touch: ContactJets
+    ) -> tuple[Vector, Vector, Jet, Jet, Jet, Vector, Vector, Vector]:
         facing, height, along = touch.facing, touch.height, touch.along
         assert facing is not None and height is not None and along is not None
         direction = facing - self.sense * angle

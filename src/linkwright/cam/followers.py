@@ -72,6 +72,10 @@ class CamFollowerGeometry:
 
     def touch(self, lift: Jet) -> ContactJets:
         """The contact at a lift (m or rad)."""
+        return self.held(lift + self.start)
+
+    def held(self, value: Jet) -> ContactJets:
+        """The contact at a height (m) or an angle (rad), which is the start and the lift; numbers or symbols."""
         raise NotImplementedError
 
     def velocity(self, at: Vector) -> Vector:
@@ -150,8 +154,8 @@ class TranslatingRoller(Translating):
     def base_at(self, start: float) -> float:
         return math.hypot(self.offset, start) - self.radius
 
-    def touch(self, lift: Jet) -> ContactJets:
-        return ContactJets(at=(Jet.constant(self.offset, lift.order), lift + self.start))
+    def held(self, value: Jet) -> ContactJets:
+        return ContactJets(at=(Jet.constant(self.offset, value.order), value))
 
     def resting(self, x: Array, y: Array) -> Array:
         return y + np.sqrt(self.radius**2 - (x - self.offset) ** 2) - self.start
@@ -200,9 +204,8 @@ class SwingingRoller(Swinging):
         a, arm = self.distance, self.arm
         return math.sqrt(a * a + arm * arm - 2 * a * arm * math.cos(start)) - self.radius
 
-    def touch(self, lift: Jet) -> ContactJets:
-        angle = lift + self.start
-        return ContactJets(at=(self.distance - self.arm * angle.cos(), self.arm * angle.sin()))
+    def held(self, value: Jet) -> ContactJets:
+        return ContactJets(at=(self.distance - self.arm * value.cos(), self.arm * value.sin()))
 
     def resting(self, x: Array, y: Array) -> Array:
         return self._against(x, y, 1)
@@ -235,9 +238,9 @@ class TranslatingFlat(Translating):
     def base_at(self, start: float) -> float:
         return start
 
-    def touch(self, lift: Jet) -> ContactJets:
-        up, none = (Jet.constant(value, lift.order) for value in (1.0, 0.0))
-        return ContactJets(facing=Jet.constant(math.pi / 2, lift.order), height=lift + self.base, along=(none, up))
+    def held(self, value: Jet) -> ContactJets:
+        up, none = (Jet.constant(part, value.order) for part in (1.0, 0.0))
+        return ContactJets(facing=Jet.constant(math.pi / 2, value.order), height=value, along=(none, up))
 
     def resting(self, x: Array, y: Array) -> Array:
         return y - self.base
@@ -265,10 +268,9 @@ class SwingingFlat(Swinging):
     def base_at(self, start: float) -> float:
         return self.distance * math.sin(start) + self.face
 
-    def touch(self, lift: Jet) -> ContactJets:
-        angle = lift + self.start
-        height = self.distance * angle.sin() + self.face
-        return ContactJets(facing=math.pi / 2 - angle, height=height, along=(angle.sin(), angle.cos()))
+    def held(self, value: Jet) -> ContactJets:
+        height = self.distance * value.sin() + self.face
+        return ContactJets(facing=math.pi / 2 - value, height=height, along=(value.sin(), value.cos()))
 
     def resting(self, x: Array, y: Array) -> Array:
         away = np.hypot(x - self.distance, y)

@@ -82,7 +82,7 @@ def laws(q: Quantities, folder: Path | None, named: bool) -> tuple[Laws, list[Fi
     motions, unmade = motion_laws(q)
     drives, unstated = drive_laws(q, folder, motions, named=named)
     tables, unread = action_tables(q, folder)
-    wrong = [*check_values(q), *unmade, *unstated, *follower_faults(q, motions, named=named)]
+    wrong = [*check_values(q), *unmade, *unstated, *follower_faults(q, motions, drives, named=named)]
     return Laws(drives, motions, tables), [*wrong, *(fault for fault in unread if fault not in wrong)]
 
 

@@ -1,4 +1,4 @@
-"""Still charts as SVG: axes with round numbers, lines, areas and bars within them."""
+"""Still charts as SVG: axes with round numbers and lines within them. (Reports have charts as numbers.)"""
 
 from __future__ import annotations
 
@@ -23,15 +23,10 @@ NARROW = 0.2
 
 
 class Axes:
-    """Places of values in a drawing, with the axes' lines and numbers; ``x`` and ``y`` are their ranges.
+    """Places of values in a drawing, with the axes' lines and numbers; ``x`` and ``y`` are their ranges."""
 
-    With ``names``, these stand below 0 .. 1, 1 .. 2 and so on, instead of numbers.
-    """
-
-    def __init__(
-        self, x: tuple[float, float], y: tuple[float, float], label: Text, names: Sequence[Text] | None = None
-    ) -> None:
-        self.x, self.y, self.label, self.names = widened(*x), widened(*y), label, names
+    def __init__(self, x: tuple[float, float], y: tuple[float, float], label: Text) -> None:
+        self.x, self.y, self.label = widened(*x), widened(*y), label
 
     def across(self, values: Array) -> Array:
         """Where values lie from the left."""
@@ -50,37 +45,12 @@ class Axes:
             f'<polyline class="{kind}" points="{points(self.across(x[run]), self.up(y[run]))}"/>' for run in runs
         )
 
-    def area(self, x: Array, low: Array, high: Array, kind: str) -> str:
-        """What lies between two lines, broken where one of them has no value."""
-        made = ""
-        for run in stretches(np.isfinite(low) & np.isfinite(high)):
-            there, back = self.across(x[run]), self.across(x[run[::-1]])
-            outline = f"{points(there, self.up(high[run]))} {points(back, self.up(low[run[::-1]]))}"
-            made += f'<polygon class="{kind}" points="{outline}"/>'
-        return made
-
-    def bars(self, edges: Array, tops: Array) -> list[str]:
-        """A bar from zero between each two edges."""
-        left, right, end = self.across(edges[:-1]), self.across(edges[1:]), self.up(tops)
-        zero = float(self.up(np.array(0.0)))
-        return [
-            f'<rect class="bar" x="{a:.1f}" y="{min(y, zero):.1f}" width="{max(b - a - 0.5, 0.5):.1f}" '
-            f'height="{abs(zero - y):.1f}"/>'
-            for a, b, y in zip(left.tolist(), right.tolist(), end.tolist(), strict=True)
-        ]
-
-    def dots(self, x: Array, y: Array, radius: float, kind: str = "dot") -> list[str]:
-        """A dot at each place that has a value."""
-        known = np.isfinite(y)
-        places = zip(self.across(x[known]).tolist(), self.up(y[known]).tolist(), strict=True)
-        return [f'<circle class="{kind}" cx="{a:.1f}" cy="{b:.1f}" r="{radius}"/>' for a, b in places]
-
     def drawing(self, shapes: Sequence[str], title: Text) -> str:
         """The whole: grid, shapes, numbers."""
         lines, numbers = [], []
-        for place, text, line in self._below():
-            x = float(self.across(np.array(place)))
-            lines += [f"M{x:.1f} {TOP:.0f}V{HEIGHT - BOTTOM:.0f}"] if line else []
+        for value in ticks(*self.x, 6):
+            x, text = float(self.across(np.array(value))), number_text(value)
+            lines.append(f"M{x:.1f} {TOP:.0f}V{HEIGHT - BOTTOM:.0f}")
             x = min(x, WIDTH - LETTER * columns(text) / 2)
             numbers.append(f'<text x="{x:.1f}" y="{HEIGHT - BOTTOM + 14:.0f}" text-anchor="middle">{text}</text>')
         for value in ticks(*self.y, 5):
@@ -94,28 +64,11 @@ class Axes:
             f'<path class="grid" d="{"".join(lines)}"/>{"".join(shapes)}{"".join(numbers)}</svg>'
         )
 
-    def _below(self) -> list[tuple[float, str, bool]]:
-        """What stands below: where, the text, whether a line goes up from it."""
-        if self.names is None:
-            return [(value, number_text(value), True) for value in ticks(*self.x, 6)]
-        room = int((WIDTH - LEFT - RIGHT) / LETTER / max(len(self.names), 1))
-        return [(i + 0.5, markup(shortened(name, room)), False) for i, name in enumerate(self.names)]
-
 
 def widened(low: float, high: float) -> tuple[float, float]:
     """A range that has a width: values that differ by no more than round-off lie in its middle."""
     size = max(abs(low), abs(high)) or 1.0
     return (low, high) if high - low > 1e-12 * size else (low - 1e-6 * size, high + 1e-6 * size)
-
-
-def shortened(name: Text, letters: int) -> str:
-    """A name in so much room."""
-    text = str(name)
-    if columns(text) <= letters:
-        return text
-    while len(text) > 1 and columns(text) > letters - 1:
-        text = text[:-1]
-    return text + "…"
 
 
 def ticks(low: float, high: float, count: int) -> list[float]:
@@ -126,6 +79,12 @@ def ticks(low: float, high: float, count: int) -> list[float]:
     first = int(np.ceil(low / step - 1e-9))
     last = int(np.floor(high / step + 1e-9))
     return [k * step for k in range(first, last + 1)]
+
+
+def round_below(value: float) -> float:
+    """The largest of 1, 2 or 5 times a power of ten that isn't above a positive value."""
+    base = 10.0 ** np.floor(np.log10(value))
+    return float(f"{base * max(m for m in (1, 2, 5) if m * base <= value * (1 + 1e-9)):.1g}")
 
 
 def number_text(value: float) -> str:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.drawing.charts import LETTER, named, number_text, points, ticks
-from linkwright.escape import markup
+from linkwright.escape import markup, printed
 from linkwright.findings import Joined, Text
 from linkwright.presentation.lettering import FONT, folded
 
@@ -65,6 +65,12 @@ class PicturePlane:
     def to_picture(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Where places lie in the picture."""
         return LEFT + (x - self.low[0]) * self.scale, self.bottom - (y - self.low[1]) * self.scale
+
+    @property
+    def stated(self) -> str:
+        """What a page's script reads: the picture's coordinates of the origin, how long a unit is, the unit."""
+        x, y = (float(place) for place in self.to_picture(np.array(0.0), np.array(0.0)))
+        return f"{x:.3f} {y:.3f} {self.scale:.6g} {markup(printed(self.unit))}"
 
     def grid(self) -> str:
         """Lines and numbers of the axes."""

@@ -3,6 +3,7 @@
 from linkwright.elements import (  # noqa: F401  (each registers itself)
     cam_contact,
     counterweight,
+    coupling,
     load,
     pin,
     pin_in_slot,

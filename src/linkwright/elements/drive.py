@@ -6,12 +6,11 @@ from collections.abc import Iterator, Mapping
 from functools import partial
 from typing import Annotated, Any
 
-import numpy as np
 from pydantic import ConfigDict, Field
 
 from linkwright.elements.fields import LinkName
 from linkwright.elements.joint import Applied
-from linkwright.elements.mover import TRAVEL, TURN, MoverReports, MoverSignals
+from linkwright.elements.mover import TRAVEL, TURN, MoverReports, MoverSignals, exerted
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen, Name
 from linkwright.expressions.typed_fields import Ref, Scope, of_drive
@@ -77,8 +76,4 @@ class Drive(MoverSignals, Frozen):
 
     def applied(self, reports: MoverReports, name: str) -> list[Applied]:
         """What it does to its two links, by its reported effort: its proof."""
-        effort, none = reports.rows[f"{name}.{self.effort}"], np.zeros((2, reports.count))
-        if self.turns:
-            return [(self.link, none, none, effort), (self.on, none, none, -effort)]
-        place, along = reports.line(reports.joint_of(name), self.on)
-        return [(self.link, effort * along, place, 0.0), (self.on, -(effort * along), place, 0.0)]
+        return exerted(self, reports, name, reports.rows[f"{name}.{self.effort}"])

@@ -66,6 +66,10 @@ class FollowerReports(MoverReports, Protocol):
     """What a run reports."""
 
     @property
+    def geometry(self) -> FollowerGeometry:
+        """The model's dimensions."""
+
+    @property
     def motions(self) -> Motions:
         """The motion laws."""
 

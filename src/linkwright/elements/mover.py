@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, Protocol
 
+import numpy as np
+
 from linkwright.elements.joint import Applied, Array, JointReports
 from linkwright.expressions import units as u
 from linkwright.expressions.units import Dimension
@@ -90,3 +92,12 @@ class MoverSignals:
     def effort(self: Mover) -> str:
         """The signal of what it exerts: ``torque`` or ``force``."""
         return "torque" if self.turns else "force"
+
+
+def exerted(mover: Mover, reports: MoverReports, name: str, effort: Array) -> list[Applied]:
+    """What an effort (N m, N) at the joint of a drive or follower does to its two links."""
+    none = np.zeros((2, reports.count))
+    if mover.turns:
+        return [(mover.link, none, none, effort), (mover.on, none, none, -effort)]
+    place, along = reports.line(reports.joint_of(name), mover.on)
+    return [(mover.link, effort * along, place, 0.0), (mover.on, -(effort * along), place, 0.0)]

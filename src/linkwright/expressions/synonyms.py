@@ -69,6 +69,8 @@ _WORDS = {
     "author": "designer drawn_by creator 作者 设计者 编制",
     "revision": "rev issue 版次 修订",
     "pin_in_slot": "销槽副 滑槽 槽",
+    "coupling": "联动 联轴",
+    "follows": "跟随 随动",
     "cam": "凸轮副 凸轮",
     "along": "沿 方向",
     "shape": "形状",

@@ -69,6 +69,19 @@ def nodes(node: Node) -> Iterator[Node]:
         todo += reversed(children(top))
 
 
+def replaced(node: Node, name: str, by: Node) -> Node:
+    """The tree with another one in place of a name."""
+    if isinstance(node, Name):
+        return by if node.text == name else node
+    if isinstance(node, Call):
+        return node if node.attribute else Call(node.name, tuple(replaced(arg, name, by) for arg in node.args))
+    if isinstance(node, Negative):
+        return Negative(replaced(node.of, name, by))
+    if isinstance(node, Binary):
+        return Binary(node.op, replaced(node.left, name, by), replaced(node.right, name, by))
+    return node
+
+
 def height(node: Node) -> int:
     """The number of levels of a tree."""
     levels, front = 0, [node]

@@ -36,6 +36,7 @@ class Scope(Enum):
     SIGNALS = "signals"
     FORMULA = "formula"
     TURN = "turn"
+    FOLLOWS = "follows"
 
 
 class Sign(Enum):

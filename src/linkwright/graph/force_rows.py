@@ -13,11 +13,13 @@ if TYPE_CHECKING:
 
 FORCE = ("x", "y")
 PLACE = ("at_x", "at_y")
+MOMENT = "moment"
 
 
 @dataclass(frozen=True)
 class AppliedForce(ElementActionRow):
-    """Of a force that an element applies: its ``x`` or ``y`` (N), or where it acts, ``at_x`` or ``at_y`` (m).
+    """Of what an element applies: its force's ``x`` or ``y`` (N), where that acts, ``at_x`` or ``at_y`` (m), or its
+    ``moment`` about this place (N m, counter-clockwise).
 
     ``index`` is its number among the element's wrenches, one for each link.
     """
@@ -60,5 +62,7 @@ class ReactionPlace(Row):
 
 
 def _part(wrench: Wrench, part: str) -> Scalar:
+    if part == MOMENT:
+        return wrench.moment
     vector = wrench.about if part.startswith("at_") else wrench.force
     return getattr(vector, part[-1])

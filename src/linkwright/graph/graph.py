@@ -244,6 +244,12 @@ class Graph:
         view = self._view(max(self.actions.order, one.kind.order))
         return [link for link, _ in one.kind.wrenches(view, one.name, one.entry)]
 
+    def acts_by_couples(self, one: Acting) -> bool:
+        """Whether an element acts by moments alone, which are the same about every place."""
+        view = self._view(max(self.actions.order, one.kind.order))
+        forces = [wrench.force for _, wrench in one.kind.wrenches(view, one.name, one.entry)]
+        return all(ca.SX(part).is_zero() for force in forces for part in (force.x, force.y))
+
     def _view(self, order: int) -> View:
         if order not in self._views:
             self._views[order] = View.build(self, order, self.inputs)

@@ -8,9 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from linkwright.findings import Finding
+from linkwright.expressions.typed_fields import Path
+from linkwright.findings import Finding, ModelError
 from linkwright.graph.geometry import Geometry
-from linkwright.kernels.law import Array, DriveLaw, Parameters
+from linkwright.kernels.law import Array, DriveLaw, Parameters, must_be_finite
 from linkwright.kernels.motions import StatedMotion
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Jet
@@ -20,6 +21,8 @@ from linkwright.notation import Jet
 class FollowerLaw(DriveLaw):
     """The law of a follower; ``follower_value`` gives its value from that of its motor (rad or m) with its rates."""
 
+    name: str = ""
+    path: Path = ()
     motor: str = ""
     motor_sign: int = 1
     follower_value: Callable[[Jet, Parameters], Jet] | None = None
@@ -47,7 +50,10 @@ class FollowerLaw(DriveLaw):
 
         def of(t: Array, parameters: Parameters, strict: bool) -> Jet:
             with np.errstate(all="ignore"):
-                return follower_value(motor.of(t, parameters, strict), parameters)
+                value = follower_value(motor.of(t, parameters, strict), parameters)
+            if strict:
+                must_be_finite("joint.not-finite", self.path, {"name": self.name, "motor": self.motor}, t, value)
+            return value
 
         return replace(self, of=of, names=self.names | motor.names)
 
@@ -66,18 +72,18 @@ def follower_law(
 
     with np.errstate(all="ignore"):
         follower_value(Jet.constant(0.0, 1), noted)
-    names, motor_sign = frozenset(noted.asked), follower.motor_sign
     made = FollowerLaw(
-        motor.of, quantities.parameters, names, follower.motor, motor_sign, follower_value, relation.total
-    )
+        motor.of, quantities.parameters, frozenset(noted.asked), name, quantities.mechanism.path_of(name),
+        follower.motor, follower.motor_sign, follower_value, relation.total,
+    )  # fmt: skip
     return made.driven_by(motor)
 
 
 def follower_faults(
-    quantities: Quantities, motions: Mapping[str, StatedMotion], named: bool = True
+    quantities: Quantities, motions: Mapping[str, StatedMotion], drives: Mapping[str, DriveLaw], named: bool = True
 ) -> Iterator[Finding]:
-    """What is wrong with the laws and numbers of followers. Unless all elements are ``named`` rightly there is no
-    geometry: with the laws alone then."""
+    """What is wrong with the laws and numbers of followers, and with their values at the start. Unless all elements are
+    ``named`` rightly there is no geometry: with the laws alone then."""
     geometry = Geometry(quantities, quantities.parameters)
     for name, follower in quantities.mechanism.followers.items():
         path = quantities.mechanism.path_of(name)
@@ -85,8 +91,15 @@ def follower_faults(
             if law in motions:
                 faults = follower.law_faults(quantities, law, motions[law], (*path, key))
                 yield from (finding for finding, _ in faults)
-        if named:
-            yield from follower.faults(quantities, geometry, motions, path)
+        if not named:
+            continue
+        wrong = [*follower.faults(quantities, geometry, motions, path)]
+        yield from wrong
+        if not wrong and name in drives:
+            try:
+                drives[name](np.zeros(1))
+            except ModelError as error:
+                yield from error.findings
 
 
 def recomposed(laws: Mapping[str, DriveLaw], motors: Mapping[str, DriveLaw]) -> dict[str, DriveLaw]:

@@ -9,6 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.typed_fields import Path
+from linkwright.findings import Finding, ModelError, Term
+from linkwright.model.quantities import LARGEST
 from linkwright.notation import Jet
 
 Array = NDArray[np.float64]
@@ -34,3 +37,15 @@ class DriveLaw:
     def at(self, t: Array, parameters: Parameters) -> Jet:
         """At other parameters; NaN where it has no value."""
         return self.of(t, parameters, False)
+
+
+_RATES = (Term("law-value"), Term("law-velocity"), Term("jump-acceleration"))
+"""What must be finite."""
+
+
+def must_be_finite(code: str, path: Path, data: Mapping[str, Any], t: Array, jet: Jet) -> None:
+    """Raise a finding where value, velocity or acceleration at some times (s) isn't a number below the largest one."""
+    for k, row in enumerate(jet.d[:3]):
+        bad = ~(np.abs(np.broadcast_to(np.asarray(row, dtype=float), t.shape)) < LARGEST)
+        if bad.any():
+            raise ModelError([Finding(code, path, {**data, "time": float(t[bad][0]), "what": _RATES[k]})])

@@ -11,16 +11,16 @@ import numpy as np
 from linkwright.expressions import units as u
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, nodes
-from linkwright.findings import Finding, ModelError, Term
+from linkwright.findings import Finding, ModelError
 from linkwright.kernels.followers import follower_law
-from linkwright.kernels.law import Array, DriveLaw, Parameters
+from linkwright.kernels.law import Array, DriveLaw, Parameters, must_be_finite
 from linkwright.kernels.motion_faults import jump
 from linkwright.kernels.motions import StatedMotion
 from linkwright.kernels.tables import StatedTable, stated_values
 from linkwright.laws import DEGREES, OutsideTable
 from linkwright.model.csv_file import CsvFile, read_csv
 from linkwright.model.mechanism import Table
-from linkwright.model.quantities import LARGEST, Quantities, column_unit
+from linkwright.model.quantities import Quantities, column_unit
 from linkwright.notation import MAX_ORDER, Jet
 
 ORDER = MAX_ORDER + 1
@@ -147,7 +147,7 @@ class _LawReader:
                 value = np.nan
             jet = value if isinstance(value, Jet) else Jet.constant(value, ORDER)
             if strict:
-                _must_be_finite(drive, t, jet)
+                must_be_finite("drive.not-finite", ("drives", drive, "position"), {"drive": drive}, t, jet)
             return jet
 
         return self._law(law, node)
@@ -189,18 +189,6 @@ def uniform(t: Array, start: Any, speed: Any, acceleration: Any = 0.0) -> Jet:
 def constant_acceleration(start: float, speed: float, acceleration: float = 0.0) -> DriveLaw:
     """A drive of constant acceleration, or of constant speed; value and speed are those at t = 0."""
     return DriveLaw(lambda t, parameters, strict: uniform(t, start, speed, acceleration), {})
-
-
-_RATES = (Term("law-value"), Term("law-velocity"), Term("jump-acceleration"))
-"""What must be finite."""
-
-
-def _must_be_finite(drive: str, t: Array, jet: Jet) -> None:
-    for k, row in enumerate(jet.d[:3]):
-        bad = ~(np.abs(np.broadcast_to(np.asarray(row, dtype=float), t.shape)) < LARGEST)
-        if bad.any():
-            data = {"drive": drive, "time": float(t[bad][0]), "what": _RATES[k]}
-            raise ModelError([Finding("drive.not-finite", ("drives", drive, "position"), data)])
 
 
 def read_table(quantities: Quantities, name: str, folder: Path | None) -> StatedTable:

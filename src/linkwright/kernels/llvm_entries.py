@@ -1,7 +1,7 @@
 """What calls the functions of a compiled kernel: loops over samples and blocks of poses, and a single pose.
 
-Over many poses, rows of inputs and parameters are copied into a block and rows of outputs out of it, past the cache
-where that is asked for. A single pose is a function of pointers alone.
+Over many poses, rows of inputs and parameters are copied into a block and rows of outputs out of it
+(:mod:`linkwright.kernels.llvm_copies`). A single pose is a function of pointers alone.
 """
 
 from __future__ import annotations
@@ -11,10 +11,8 @@ from collections.abc import Sequence
 from linkwright.kernels.division import OWN, SCALAR, SHARED
 from linkwright.kernels.listing import X
 from linkwright.kernels.llvm_code import INTRINSICS
+from linkwright.kernels.llvm_copies import KEPT, copies
 from linkwright.kernels.llvm_source import KernelSource
-
-STORED = 8
-"""Numbers of one store past the cache: a line of it."""
 
 
 def text(source: KernelSource) -> str:
@@ -25,18 +23,17 @@ def text(source: KernelSource) -> str:
     return "\n\n".join(["\n".join(sorted(declared)), *source.text, entry]) + "\n"
 
 
+def room(source: KernelSource) -> int:
+    """The numbers for which ``run`` needs room in ``w``: rows, and of each output what waits for a full line."""
+    return source.rows.count * source.lanes + KEPT * len(source.program.outputs)
+
+
 def _run(source: KernelSource) -> str:
     """Loops over samples and blocks of poses."""
     code, shared = source.machine.code(), source.form[X] == SHARED
     pd, starts = code.pd, len(source.x_rows)
     rows, out = len(source.program.outputs), source.out * source.lanes
-    row = {"pt": code.pt, "t": code.t, "width": code.width, "lanes": source.lanes}
-    copies = _COPIES.format(
-        **row, pd=pd, stored=STORED, line=f"<{STORED} x double>", pl=pd if pd == "ptr" else f"<{STORED} x double>*",
-        vectors_after_whole=_VECTORS.format(**row, before="whole"),
-        vectors_after_near=_VECTORS.format(**row, before="near"),
-    )  # fmt: skip
-    return copies + (_OVER if shared else _APART).format(
+    return copies(source) + (_OVER if shared else _APART).format(
         pd=pd, lanes=source.lanes, room=source.scalars.count,
         arguments=_arguments(pd),
         scalars=_calls(source.steps[SCALAR], f"{pd} %ps, i64 %pr, {pd} %cs"),
@@ -45,7 +42,11 @@ def _run(source: KernelSource) -> str:
         load_x=_loads(source, "x", source.x_rows, 0, "%b" if shared else "%xb"),
         load_start=_loads(source, "x", source.start_rows, starts, "%b"),
         load_p=_loads(source, "p", source.p_rows, starts, "%b"),
-        save=_SAVE.format(pd=pd, lanes=source.lanes, out=out, rows=rows, before="one" if shared else "block"),
+        save=_SAVE.format(
+            pd=pd, lanes=source.lanes, out=out, rows=rows, before="one" if shared else "block",
+            kept=KEPT, room=source.rows.count * source.lanes, first="true" if shared else "%first",
+            last="true" if shared else "%last",
+        ),
     )  # fmt: skip
 
 
@@ -60,7 +61,6 @@ ARGUMENTS = {
     "os": False,
     "samples": False,
     "poses": False,
-    "lead": False,
     "flag": False,
     "w": True,
     "c": True,
@@ -110,91 +110,28 @@ def _pose(source: KernelSource) -> str:
     )
 
 
-_VECTORS = """vector:
-%v = phi i64 [0, %{before}], [%v1, %vector]
-%vf = getelementptr {t}, {pt} %fv, i64 %v
-%vt = getelementptr {t}, {pt} %tv, i64 %v
-%vx = load {t}, {pt} %vf, align 8
-store {t} %vx, {pt} %vt, align 8
-%v1 = add i64 %v, 1
-%v2 = mul i64 %v1, {width}
-%vm = icmp ult i64 %v2, {lanes}
-br i1 %vm, label %vector, label %done"""
-"""The lines that copy a whole row of a block, vector by vector."""
-_COPIES = """define internal void @load({pd} noalias %to, {pd} noalias readonly %from, i64 %m) {{
-entry:
-%full = icmp eq i64 %m, {lanes}
-br i1 %full, label %whole, label %part
-whole:
-%tv = bitcast {pd} %to to {pt}
-%fv = bitcast {pd} %from to {pt}
-br label %vector
-{vectors_after_whole}
-part:
-%i = phi i64 [0, %entry], [%i1, %part]
-%in = icmp ult i64 %i, %m
-%k = select i1 %in, i64 %i, i64 0
-%f = getelementptr double, {pd} %from, i64 %k
-%t = getelementptr double, {pd} %to, i64 %i
-%x = load double, {pd} %f, align 8
-store double %x, {pd} %t, align 8
-%i1 = add i64 %i, 1
-%more = icmp ult i64 %i1, {lanes}
-br i1 %more, label %part, label %done
-done:
-ret void
-}}
-
-define internal void @save({pd} noalias readonly %from, {pd} noalias %to, i64 %m, i1 %past) {{
-entry:
-%full = icmp eq i64 %m, {lanes}
-%lines = and i1 %full, %past
-%tv = bitcast {pd} %to to {pt}
-%fv = bitcast {pd} %from to {pt}
-%tl = bitcast {pd} %to to {pl}
-%fl = bitcast {pd} %from to {pl}
-br i1 %lines, label %line, label %near
-line:
-%l = phi i64 [0, %entry], [%l1, %line]
-%lf = getelementptr {line}, {pl} %fl, i64 %l
-%lt = getelementptr {line}, {pl} %tl, i64 %l
-%lx = load {line}, {pl} %lf, align 8
-store {line} %lx, {pl} %lt, align 64, !nontemporal !0
-%l1 = add i64 %l, 1
-%l2 = mul i64 %l1, {stored}
-%lm = icmp ult i64 %l2, {lanes}
-br i1 %lm, label %line, label %done
-near:
-br i1 %full, label %vector, label %part
-{vectors_after_near}
-part:
-%i = phi i64 [0, %near], [%i1, %part]
-%f = getelementptr double, {pd} %from, i64 %i
-%t = getelementptr double, {pd} %to, i64 %i
-%x = load double, {pd} %f, align 8
-store double %x, {pd} %t, align 8
-%i1 = add i64 %i, 1
-%more = icmp ult i64 %i1, %m
-br i1 %more, label %part, label %done
-done:
-ret void
-}}
-
-!0 = !{{i32 1}}
-
-"""
 _SAVE = """%place0 = mul i64 %s, %os
 %place = add i64 %place0, %b
 br label %row
 row:
-%k = phi i64 [0, %{before}], [%k1, %row]
+%k = phi i64 [0, %{before}], [%k1, %next]
 %to0 = mul i64 %k, %orow
 %to1 = add i64 %to0, %place
 %to = getelementptr double, {pd} %out, i64 %to1
 %from0 = mul i64 %k, {lanes}
 %from1 = add i64 %from0, {out}
 %from = getelementptr double, {pd} %w, i64 %from1
-call void @save({pd} %from, {pd} %to, i64 %m, i1 %past)
+br i1 %past, label %streamed, label %near
+streamed:
+%kept0 = mul i64 %k, {kept}
+%kept1 = add i64 %kept0, {room}
+%kept = getelementptr double, {pd} %w, i64 %kept1
+call void @stream({pd} %from, {pd} %to, i64 %m, {pd} %kept, i1 {first}, i1 {last})
+br label %next
+near:
+call void @save({pd} %from, {pd} %to, i64 %m)
+br label %next
+next:
 %k1 = add i64 %k, 1
 %rows = icmp ult i64 %k1, {rows}
 br i1 %rows, label %row, label %saved
@@ -217,11 +154,9 @@ block:
 %xb = add i64 %xb0, %b
 %left = sub i64 %poses, %b
 %short = icmp ult i64 %left, {lanes}
-%m0 = select i1 %short, i64 %left, i64 {lanes}
-%start = icmp eq i64 %b, 0
-%some = icmp ne i64 %lead, 0
-%leads = and i1 %start, %some
-%m = select i1 %leads, i64 %lead, i64 %m0
+%m = select i1 %short, i64 %left, i64 {lanes}
+%first = icmp eq i64 %b, 0
+%last = icmp ule i64 %left, {lanes}
 {load_x}
 {load_p}
 {own}

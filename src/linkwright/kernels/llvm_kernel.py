@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.graph.program import Program
-from linkwright.kernels.llvm_entries import ARGUMENTS, text
+from linkwright.kernels.llvm_entries import ARGUMENTS, room, text
 from linkwright.kernels.llvm_source import KernelSource
 from linkwright.kernels.machine_code import LINE, Machine, MachineCode, aligned, available, this_machine
 from linkwright.kernels.registry import flattened, register
@@ -73,17 +73,16 @@ class LlvmKernel:
         written = out if _even(out) else np.empty(out.shape)
         x, p = (array if _even(array) else np.ascontiguousarray(array, dtype=np.float64) for array in (x, p))
         (xr, xq), (pr,), (wr, wq) = (tuple(s // 8 for s in array.strides[:-1]) for array in (x, p, written))
-        past, lead = False, 0
-        if written.nbytes >= PAST:
-            ahead = -written.ctypes.data % LINE // 8
-            even = wr % 8 == 0 and (samples == 1 or (wq % 8 == 0 and not ahead))
-            past, lead = even, ahead if even and samples == 1 else 0
+        # Samples that take turns in a block can't keep parts of lines from one block to the next.
+        past = written.nbytes >= PAST and (
+            form != "over" or not any(n % LINE for n in (written.ctypes.data, 8 * wr, 8 * wq))
+        )
         source, compiled = self.form(form)
-        rows = aligned(source.rows.count * source.lanes)
+        rows = aligned(room(source))
         scalars = np.empty((samples, max(source.scalars.count, 1)))
         places = [array.ctypes.data for array in (x, p, written, rows, scalars)]
         compiled.call(
-            places[0], xr, xq if x.shape[1] > 1 else 0, places[1], pr, places[2], wr, wq, samples, poses, lead, past,
+            places[0], xr, xq if x.shape[1] > 1 else 0, places[1], pr, places[2], wr, wq, samples, poses, past,
             *places[3:],
         )  # fmt: skip
         if written is not out:

@@ -21,7 +21,7 @@ from linkwright.kernels.llvm_code import LlvmCode
 from linkwright.kernels.machine_code import Machine
 from linkwright.kernels.straight_line import newton_step
 
-LANES = (128, 64, 32)
+LANES = (64, 32)
 CACHED = 6000
 """Numbers for which a core's first cache has room: the more rows a program has, the fewer lanes a block gets."""
 LONGEST = 400

@@ -47,7 +47,7 @@ SIGNS = {Sign.ANY: 0, Sign.NOT_NEGATIVE: 1, Sign.POSITIVE: 2}
 @dataclass(frozen=True)
 class PagePrograms:
     """A compiled mechanism's ``rows`` as a page computes them, and the ``measured`` ones with their rates in time, with
-    all parameters but the ``locked`` ones free.
+    all parameters but the ``locked`` ones free; programs of ``outlines`` give places of lines on links.
 
     A locked parameter has a finding that says why: what depends on it is no expression.
     """
@@ -55,6 +55,7 @@ class PagePrograms:
     compiled: Compiled
     rows: tuple[Named, ...]
     measured: tuple[Named, ...] = ()
+    outlines: tuple[Program, ...] = ()
 
     @cached_property
     def locked(self) -> dict[str, Finding]:
@@ -119,6 +120,7 @@ class PagePrograms:
             "dragged": [self.dragged],
             "slopes": [derived_parameters(compiled.quantities, tangents=True)],
             "shape": [shape_program(compiled)],
+            "outlines": [*self.outlines],
         }
 
     def code(self) -> str:
@@ -196,6 +198,9 @@ class PagePrograms:
         return {"row": row, "table": self._tables.index(lookup.table), "integral": lookup.integral}
 
 
-def page_programs(compiled: Compiled, rows: Sequence[Named], measured: Sequence[Named] = ()) -> PagePrograms:
-    """Rows of a mechanism as a page can compute them; those ``measured`` with their rates."""
-    return PagePrograms(compiled, tuple(rows), tuple(measured))
+def page_programs(
+    compiled: Compiled, rows: Sequence[Named], measured: Sequence[Named] = (), outlines: Sequence[Program] = ()
+) -> PagePrograms:
+    """Rows of a mechanism as a page can compute them; those ``measured`` with their rates. Programs of ``outlines``
+    have the mechanism's parameters."""
+    return PagePrograms(compiled, tuple(rows), tuple(measured), tuple(outlines))

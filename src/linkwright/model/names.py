@@ -25,6 +25,7 @@ _MISPLACED = {
     Scope.SIGNALS: "measure.table",
     Scope.FORMULA: "law.formula",
     Scope.TURN: "cam.load-signal",
+    Scope.FOLLOWS: "joint.coupling-name",
 }
 
 
@@ -81,7 +82,7 @@ class Names:
             if found := respelled(place.expression.text, known):
                 data = {"text": place.expression.text[:60], "reason": found[0], "hint": found[1]}
                 yield Finding("expression.respelled", path, data)
-            elif place.scope in (Scope.SIGNALS, Scope.LOAD) and node.text in self.signals.named:
+            elif place.scope in (Scope.SIGNALS, Scope.LOAD, Scope.FOLLOWS) and node.text in self.signals.named:
                 kind, attributes = self.signals.attributes(node.text)
                 signals = Joined(f"{node.text}.{attribute}" for attribute in attributes)
                 yield Finding(
@@ -125,9 +126,9 @@ class Names:
 
     def _may_stand(self, node: Name | Call, scope: Scope) -> bool:
         if is_signal(node):
-            return scope is Scope.SIGNALS or (scope is Scope.LOAD and self._kinematic(node))
+            return scope in (Scope.SIGNALS, Scope.FOLLOWS) or (scope is Scope.LOAD and self._kinematic(node))
         if isinstance(node, Name):
-            return node.text != "t" or scope not in (Scope.CONSTANT, Scope.FORMULA, Scope.TURN)
+            return node.text != "t" or scope not in (Scope.CONSTANT, Scope.FORMULA, Scope.TURN, Scope.FOLLOWS)
         stated = node.name in self.mechanism.tables or node.name in self.mechanism.laws
         return not stated or scope in (Scope.TIME, Scope.LOAD, Scope.TURN)  # what is unknown is told elsewhere
 

@@ -1,19 +1,23 @@
 """What an outcome shows as plain values: sections of sentences, tables, charts and the like.
 
 Texts are those of the catalogue (:class:`~linkwright.findings.Said`), which become words where a terminal or a page
-shows them; charts are drawn only where they are shown.
+shows them; charts become numbers or pictures only where they are shown.
 """
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from hashlib import blake2s
 from typing import Any
 
 from linkwright.findings import Said, Text
 from linkwright.presentation.cells import Cell, NumberCell
-from linkwright.words import language
+from linkwright.presentation.chart_data import ChartData
+from linkwright.presentation.charts import Content
+from linkwright.words import LANGUAGES, in_language, language
 
 
 @dataclass(frozen=True)
@@ -58,14 +62,34 @@ def table(of: str, name: str, heads: Iterable[Text], rows: Iterable[Sequence[Cel
 
 @dataclass(frozen=True)
 class Chart:
-    """A still picture, drawn as SVG where it is shown. Charts of one ``stack`` show the same for other values of
+    """What is ``shown``, in numbers, which a page draws and files can't; ``draw`` gives a still picture of it as SVG,
+    for files, and for pages where there are no numbers. Charts of one ``stack`` show the same for other values of
     parameters; ``step`` are the positions of their sliders. ``hint`` says what one can do with it on a screen."""
 
     title: Text
-    draw: Callable[[], str]
+    draw: Callable[[], str] | None = None
     stack: str | None = None
     step: tuple[int, ...] = ()
     hint: Text = ""
+    shown: Callable[[], Content] | None = None
+
+    @cached_property
+    def content(self) -> Content | None:
+        """What is shown."""
+        return None if self.shown is None else self.shown()
+
+    @cached_property
+    def data(self) -> ChartData:
+        """The same as data for a page, of a chart that has numbers."""
+        assert self.content is not None
+        return ChartData(self.content)
+
+    @cached_property
+    def key(self) -> str:
+        """By which a page finds its data, the same in all languages."""
+        with in_language(LANGUAGES[0]):
+            told = json.dumps([str(self.title), self.data.plain, [str(text) for text in self.data.texts]])
+        return blake2s(told.encode(), digest_size=6).hexdigest()
 
     @cached_property
     def _drawings(self) -> dict[str, str]:
@@ -74,6 +98,7 @@ class Chart:
     @property
     def drawing(self) -> str:
         """The SVG, in the language of the moment."""
+        assert self.draw is not None
         if language() not in self._drawings:
             self._drawings[language()] = self.draw()
         return self._drawings[language()]

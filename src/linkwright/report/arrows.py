@@ -1,4 +1,4 @@
-"""The arrows of a report's drawing: velocities, accelerations, reactions, loads, weights, each by its rows."""
+"""The arrows of a report's drawing: rates, reactions, loads, weights and moments, each by its rows."""
 
 from __future__ import annotations
 
@@ -11,14 +11,16 @@ from numpy.typing import NDArray
 
 from linkwright.elements.cylinder import ends_of
 from linkwright.escape import printed
-from linkwright.expressions.units import ACCELERATION, FORCE, LENGTH, SPEED, Dimension
+from linkwright.expressions.units import ACCELERATION, FORCE, LENGTH, SPEED, TORQUE, Dimension
 from linkwright.graph.force_rows import FORCE as FORCE_PARTS
-from linkwright.graph.force_rows import PLACE, AppliedForce, ReactionPlace, Weight
+from linkwright.graph.force_rows import MOMENT, PLACE, AppliedForce, ReactionPlace, Weight
 from linkwright.graph.rows import Named
+from linkwright.model.pins import Pin
 from linkwright.model.signals import Contact
 from linkwright.report.data import ArrowData, ArrowKind
 from linkwright.results import Result
 from linkwright.structure import FRAME
+from linkwright.structure.topology import Topology
 
 Array = NDArray[np.float64]
 
@@ -27,11 +29,14 @@ LEAST = 1e-9
 
 
 class Arrow(NamedTuple):
-    """An arrow: its kind, what it belongs to, the rows of its vector and of its place; or a point of a link instead."""
+    """An arrow: its kind, what it belongs to, the rows of its vector and of its place; or a point of a link instead.
+
+    A moment has one row in place of a vector: counter-clockwise positive, on the link that its name tells.
+    """
 
     kind: ArrowKind
     name: str
-    vector: tuple[Named, Named]
+    vector: tuple[Named, ...]
     place: tuple[Named, Named] | None
     at: tuple[str, str] | None = None
 
@@ -42,15 +47,16 @@ DIMENSIONS: dict[ArrowKind, Dimension] = {
     "reaction": FORCE,
     "load": FORCE,
     "weight": FORCE,
+    "moment": TORQUE,
 }
 
 
 def arrows(result: Result) -> list[Arrow]:
     """All arrows of a motion that have a length."""
-    every = [*chain(_rates(result), _reactions(result), _loads(result), _weights(result))]
+    every = [*chain(_rates(result), _reactions(result), _loads(result), _weights(result), _moments(result))]
     rows = [*dict.fromkeys(row for arrow in every for row in arrow.vector)]
     values = dict(zip(rows, result.run.compiled.evaluate(rows, result.t), strict=True)) if rows else {}
-    lengths = [_largest(np.hypot(*(values[row] for row in arrow.vector))) for arrow in every]
+    lengths = [_largest(np.linalg.norm([values[row] for row in arrow.vector], axis=0)) for arrow in every]
     longest: dict[str, float] = {}
     for arrow, length in zip(every, lengths, strict=True):
         longest[arrow.kind] = max(longest.get(arrow.kind, 0.0), length)
@@ -134,6 +140,53 @@ def _weights(result: Result) -> Iterator[Arrow]:
         if link != FRAME and mechanism.has_mass(link):
             place: tuple[Named, Named] = (f"com({link}).x", f"com({link}).y")
             yield Arrow("weight", link, (Weight(link, "x"), Weight(link, "y")), place)
+
+
+def _moments(result: Result) -> Iterator[Arrow]:
+    """Drive torques at the drives' pins, moments of reactions, what elements apply besides forces."""
+    yield from _torques(result)
+    for contact in result.run.compiled.quantities.signals.reactions:
+        moment = f"{force_name(result, contact)}.moment"
+        if moment in result.names:
+            x, y = (ReactionPlace(contact.joint, contact.link, part) for part in FORCE_PARTS)
+            yield Arrow("moment", moment, (moment,), (x, y))
+    yield from _couples(result)
+
+
+def _torques(result: Result) -> Iterator[Arrow]:
+    """What drives exert on the links that they turn."""
+    compiled = result.run.compiled
+    topology = compiled.structure.topology
+    for name in compiled.graph.motors:
+        drive = compiled.mechanism.drives[name]
+        joints = [one.joint for one in topology.acting(name)]
+        if drive.turns and (pins := [topology.pins[joint] for joint in joints if joint in topology.pins]):
+            torque = f"{name}.{drive.effort}"
+            yield Arrow("moment", torque, (torque,), None, (drive.link, pins[0].point(drive.link)))
+
+
+def _couples(result: Result) -> Iterator[Arrow]:
+    """Moments that elements apply to moving links.
+
+    Without a force a moment is the same about every place: that on one link is drawn about its pin on the frame, two
+    opposite ones between links that share a pin as one about this pin, on the first of these links that moves.
+    """
+    compiled = result.run.compiled
+    for one in compiled.graph.actions.every:
+        links = compiled.graph.acted_on(one)
+        moving = [(index, link) for index, link in enumerate(links) if link != FRAME]
+        pin = _pin_between(compiled.structure.topology, links) if compiled.graph.acts_by_couples(one) else None
+        for index, link in moving[:1] if pin else moving:
+            moment = AppliedForce(*one.path, index, MOMENT)
+            x, y = (AppliedForce(*one.path, index, part) for part in PLACE)
+            place, at = (None, (link, pin.point(link))) if pin else ((x, y), None)
+            yield Arrow("moment", one.name, (moment,), place, at)
+
+
+def _pin_between(topology: Topology, links: Sequence[str]) -> Pin | None:
+    """The pin of two links, or of one on the frame, if there is one."""
+    joined = {*links, FRAME} if len(links) == 1 else {*links}
+    return next((pin for pin in topology.pins.values() if len(links) <= 2 and joined <= {*pin.links}), None)
 
 
 def _largest(values: Array) -> float:

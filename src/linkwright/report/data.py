@@ -94,14 +94,15 @@ class SpringData(TypedDict):
     look: Literal["coil", "strut"]
 
 
-ArrowKind = Literal["velocity", "acceleration", "reaction", "load", "weight"]
+ArrowKind = Literal["velocity", "acceleration", "reaction", "load", "weight", "moment"]
 
 
 class ArrowData(TypedDict):
-    """An arrow of a live report: the labels of the two ``rows`` of its vector, in ``unit``.
+    """An arrow of a live report: the labels of the two ``rows`` of its vector, or of the one of a moment (positive
+    counter-clockwise), in ``unit``.
 
     It begins at a point, ``at`` = [link, point], or at the ``places`` in two other rows, in the length unit. ``name``
-    is what it belongs to: a point, a reaction, a load, a link.
+    is what it belongs to: a point, a reaction, a load, a link, a torque.
     """
 
     kind: ArrowKind
@@ -221,6 +222,15 @@ class LiveCondition(TypedDict):
     size: float | None
 
 
+class LiveOutline(TypedDict):
+    """Closed ``lines`` (how many) on a ``link``, such as a cam's: the ``inputs`` of their program at each place of
+    them."""
+
+    link: str
+    lines: int
+    inputs: Sequence[Sequence[float]]
+
+
 class LiveData(TypedDict):
     """What the page needs to compute all values itself. Times in s, values in SI.
 
@@ -230,8 +240,8 @@ class LiveData(TypedDict):
     labels of others that arrows name; ``sizes`` are those of the units of both. ``wrapped`` are the numbers of those
     that are angles without whole turns; ``axes`` can stand in place of the time. ``probes``: a value of every third
     row, which the page must find too, but for round-off of its ``scales``. ``measures``: what is taken of the samples,
-    and of which signal (``measured``). With ``power`` the last two rows are what the powers of a pose leave, and their
-    size.
+    and of which signal (``measured``). ``outlines`` are the lines of cams, one program each. With ``power`` the last
+    two rows are what the powers of a pose leave, and their size.
     ``numbers``: what can be moved, and the ``lines`` of the file where it stands; ``conditions`` on numbers are in the
     order of the program's. ``drives`` and ``parameters`` by their number.
     """
@@ -252,6 +262,7 @@ class LiveData(TypedDict):
     probes: Values
     scales: Sequence[float]
     measures: Sequence[Mapping[str, object]]
+    outlines: Sequence[LiveOutline]
     power: bool
     measured: Sequence[MeasuredSignal | None]
     numbers: Sequence[LiveNumber]

@@ -40,8 +40,18 @@ def section(shown: Section) -> str:
     blocks = [block for block in shown.blocks if filled(block)]
     if len(blocks) == 1 and isinstance(blocks[0], Checks):
         return f'<section id="{shown.name}">{_folded(blocks[0], "h2")}</section>'
-    body = "".join(map(html, blocks))
+    body = "".join(f"{_hint(blocks, block)}{html(block)}" for block in blocks)
     return body and f'<section id="{shown.name}"><h2>{markup(shown.title)}</h2>{body}</section>'
+
+
+def _hint(blocks: Sequence[Block], block: Block) -> str:
+    """Before the first charts of a section that the script draws: what one can do with them, and what stands there
+    where no script runs."""
+    drawn = [one for one in blocks if isinstance(one, Charts) and any(chart.content for chart in one.charts)]
+    if block not in drawn[:1]:
+        return ""
+    absent = f"<noscript><p>{markup(say('report.no_script_charts'))}</p></noscript>"
+    return f'{absent}<p class="hint charts-hint screen">{markup(say("report.charts_hint"))}</p>'
 
 
 @singledispatch

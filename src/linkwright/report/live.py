@@ -26,6 +26,7 @@ from linkwright.model.live_numbers import live_numbers
 from linkwright.model.named_numbers import NamedNumbers, named_numbers
 from linkwright.presentation.json_numbers import known
 from linkwright.report.arrows import Arrow, arrow_rows
+from linkwright.report.cam_shapes import live_outlines
 from linkwright.report.data import LiveData, LiveNumber, Plot, Scene
 from linkwright.report.signal_list import measured_signals, signal_list
 from linkwright.results import Result
@@ -78,7 +79,10 @@ def live_data(
     weighs = any(compiled.mechanism.has_mass(link) for link in compiled.mechanism.links)
     power = weighs or any(one.kind.acts for one in compiled.mechanism.acting())
     balance = [PowerRow(), PowerRow(size=True)] if power else []
-    made = page_programs(compiled, [*compiled.graph.pose_rows, *signals, *others, *balance], measured)
+    outlines = live_outlines(compiled)
+    made = page_programs(
+        compiled, [*compiled.graph.pose_rows, *signals, *others, *balance], measured, [one.program for one in outlines]
+    )
     values = [*recorded.evaluate(recorded.graph.pose_rows, result.t), *(result[name] for name in signals)]
     values += [*recorded.evaluate(others, result.t)] if others else []
     numbers, lines = _numbers(made, named, text)
@@ -100,6 +104,7 @@ def live_data(
         "wrapped": [i for i, name in enumerate(signals) if recorded.graph.wrapped(name)],
         "probes": [known(float(f"{row[i * PROBE % result.t.size]:.12g}")) for i, row in probed],
         "scales": [float(f"{one:.2g}") for one in _scales(values, kinds)[::EVERY]],
+        "outlines": [one.data() for one in outlines],
         "power": power,
         "measures": [pruned(one.data({row: i for i, row in enumerate(measured)})) for one in measures],
         "measured": measured_signals((one.measure for one in measures), listed.names),

@@ -6,6 +6,8 @@ from functools import partial
 
 from linkwright.drawing.charts import named
 from linkwright.findings import Said, Term, Text
+from linkwright.presentation.blocks import Chart, Charts
+from linkwright.presentation.chart_data import pooled
 from linkwright.presentation.html_file import asset, html_file
 from linkwright.presentation.payload import Exact
 from linkwright.presentation.scripts import built
@@ -19,6 +21,7 @@ from linkwright.words import say
 LIVE_WORDS = (
     "back",
     "balances",
+    "cams",
     "changed",
     "closes",
     "copy",
@@ -64,6 +67,8 @@ SCRIPT_WORDS = (
     "report.arrow_acceleration",
     "report.arrow_length",
     "report.arrow_load",
+    "report.arrow_moment",
+    "report.arrow_radius",
     "report.arrow_reaction",
     "report.arrow_velocity",
     "report.arrow_weight",
@@ -73,11 +78,14 @@ SCRIPT_WORDS = (
     "report.copied",
     "report.dimension_lines",
     "report.drawing",
+    "report.drawing_keys",
     "report.fail",
     "report.find_name",
     "report.fit",
     "report.fit_all",
     "report.full_screen",
+    "report.hover_magnitude",
+    "report.hover_moment",
     "report.hover_reaction",
     "report.hover_speed",
     "report.link_names",
@@ -97,12 +105,17 @@ SCRIPT_WORDS = (
     "report.zoom_out",
 )
 """The keys that the page's scripts read."""
+STUDY_WORDS = tuple(f"report.plots.{key}" for key in ("contour", "family", "reset_zoom"))
+"""The same of a page with charts of studies."""
 
 
 def page(data: ReportData) -> str:
     """The whole report as the text of an HTML file (UTF-8)."""
     blocks: dict[str, object] = {"data": {"time": data["time"], "scene": data["scene"], "plots": data["plots"]}}
-    scripts = [f"/*! uPlot\n{asset(__package__, 'LICENSE.uplot.txt').strip()}\n*/\n{_built('report.js')}"]
+    if charts := _charts(data):
+        blocks["charts"] = Exact(pooled({key: chart.data.plain for key, chart in charts.items()}))
+    script = "report_studies.js" if charts else "report.js"
+    scripts = [f"/*! uPlot\n{asset(__package__, 'LICENSE.uplot.txt').strip()}\n*/\n{_built(script)}"]
     if live := data.get("live"):
         blocks["data"] = {
             "time": {**data["time"], "values": []},
@@ -121,6 +134,7 @@ def page(data: ReportData) -> str:
         own["numbers"] = pruned([{**number, "locked": bool(str(number["locked"]))} for number in live["numbers"]])
         blocks["live"] = Exact(own)
         scripts.insert(0, f"globalThis.linkwrightPrograms={live['code']}")
+    sheets = ["mechanism.css", *(["studies.css"] if charts else [])]
     return html_file(
         data["title"],
         partial(_body, data),
@@ -128,7 +142,7 @@ def page(data: ReportData) -> str:
         scripts=scripts,
         words=partial(_words, data),
         before=_built("uplot.min.css") + "\n",
-        style="\n" + asset(__package__, "mechanism.css"),
+        style="\n".join(["", _built("drawing.css"), *map(partial(asset, __package__), sheets)]),
     )
 
 
@@ -154,11 +168,17 @@ def _body(data: ReportData) -> str:
     )
 
 
+def _charts(data: ReportData) -> dict[str, Chart]:
+    """The charts that the page's script draws, by their keys."""
+    blocks = (block for part in data["sections"] for block in part.blocks if isinstance(block, Charts))
+    return {chart.key: chart for block in blocks for chart in block.charts if chart.content is not None}
+
+
 def _words(data: ReportData) -> dict[str, object]:
     """The words that the page's scripts read: texts by their keys, and what they show of the data in words."""
-    live = data.get("live")
+    live, charts = data.get("live"), _charts(data)
     return {
-        "texts": {key: say(key, **PLACES) for key in SCRIPT_WORDS},
+        "texts": {key: say(key, **PLACES) for key in (*SCRIPT_WORDS, *(STUDY_WORDS if charts else ()))},
         "time": str(data["time"]["label"]),
         "axis": str(named(data["time"]["label"], data["time"]["unit"])),
         "titles": [str(plot["title"]) for plot in data["plots"]],
@@ -168,6 +188,7 @@ def _words(data: ReportData) -> dict[str, object]:
         "faults": packed([str(one["what"]) for one in live["conditions"]]) if live else packed([]),
         "kinds": {kind: say(f"report.kind.{kind}") for kind in KINDS} if live else {},
         "column": "t" if data["time"]["label"] == Said("plot.time") else str(data["time"]["label"]),
+        "charts": {key: [str(chart.title), *map(str, chart.data.texts)] for key, chart in charts.items()},
         "areas": [str(area["name"]) for area in data["scene"].get("areas", ())],
     }
 

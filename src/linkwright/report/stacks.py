@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from itertools import product
+from zlib import crc32
 
 from linkwright.drawing.chart_html import figures
 from linkwright.escape import markup
@@ -24,7 +25,8 @@ def stacks(charts: Sequence[Chart], sliders: Sequence[Slider]) -> str:
     found: dict[str, dict[Sequence[int], Chart]] = {}
     for number, chart in enumerate(charts):  # of two pictures for the same values one is enough
         found.setdefault(chart.stack or str(number), {}).setdefault(chart.step, chart)
-    bars = "".join(_slider(number, slider) for number, slider in enumerate(sliders))
+    own = f"step-{crc32(str(sorted(found)).encode()):x}"
+    bars = "".join(_slider(own, number, slider) for number, slider in enumerate(sliders))
     label = markup(say("report.steps"))
     pictures = "".join(_stack(some, sliders) for some in found.values())
     return (
@@ -33,11 +35,11 @@ def stacks(charts: Sequence[Chart], sliders: Sequence[Slider]) -> str:
     )
 
 
-def _slider(number: int, slider: Slider) -> str:
+def _slider(of: str, number: int, slider: Slider) -> str:
     """A slider with its parameter's name, the value at which it stands, and marks."""
     name, texts, start = markup(slider.name), slider.texts, slider.start
     last = len(texts) - 1
-    own = f"step-{number}"
+    own = f"{of}-{number}"
     ends = range(len(texts)) if len(texts) <= MARKS else (0, last)
     marks = "".join(f'<span style="--at:{k / last:.4f}">{markup(_bare(texts[k], texts))}</span>' for k in ends)
     data = " ".join(f'data-text-{k}="{markup(text)}"' for k, text in enumerate(texts))

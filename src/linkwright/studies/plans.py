@@ -76,6 +76,12 @@ class Plan:
         """How many samples a unit has."""
         return min(self.samples - unit * UNIT, UNIT)
 
+    @property
+    def axes(self) -> tuple[Array, ...] | None:
+        """The values (SI) that each parameter takes where the samples are all combinations of these, the last parameter
+        changing fastest; else ``None``."""
+        return None
+
     @abstractmethod
     def shares(self, unit: int) -> Array:
         """Shares in (0, 1) of a unit's samples: (names, samples of the unit, or more)."""
@@ -105,6 +111,10 @@ class Grid(Plan):
     @classmethod
     def count(cls, spreads: Sequence[ParameterSpread], samples: int) -> int:
         return prod(spread.points.size for spread in spreads if spread.points is not None)
+
+    @property
+    def axes(self) -> tuple[Array, ...]:
+        return tuple(spread.points for spread in self.spreads if spread.points is not None)
 
     def shares(self, unit: int) -> Array:
         raise NotImplementedError

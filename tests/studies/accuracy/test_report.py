@@ -16,9 +16,12 @@ from scipy.io import netcdf_file
 
 import linkwright as lw
 from helpers.accuracies import LIMITS, MM, NOMINAL, outcome, place, stroke
+from helpers.charts import graph, only
 from helpers.shown import heads, rows, told
 from linkwright.app.job import summary_text
+from linkwright.drawing.charts import MOST_POSES, thinned
 from linkwright.presentation.blocks import Sentences, filled
+from linkwright.presentation.charts import Band, Bars, Dots, Line
 from linkwright.report.build import report_data
 from linkwright.report.page import page
 from linkwright.report.summary import worded
@@ -289,7 +292,7 @@ def test_netcdf_is_in_si(made: AccuracyOutcome) -> None:
 
 def test_the_section(made: AccuracyOutcome) -> None:
     text = section_of(made)
-    assert text.count("<svg") == 3 + 4 * 4
+    assert text.count('class="plot study graph"') == 3 + 4 * 4
     assert "nan" not in re.sub('data-copy="[^"]*"', "", text).lower()
     copied = re.findall('data-copy="([^"]*)"', text)
     assert [unescape(each) for each in copied] == [review_text(figure, made) for figure in made.every.values()]
@@ -308,9 +311,13 @@ def test_a_gap_in_a_signal_is_a_gap_in_its_band(made: AccuracyOutcome) -> None:
     gone = np.where((curve.t > 0.4) & (curve.t < 0.6), np.nan, 1.0)
     some = {"nominal": curve.nominal * gone, "coefficients": curve.coefficients * gone, "worst": curve.worst * gone}
     some |= {"mean": curve.mean * gone, "sigma": curve.sigma * gone}
-    whole, holed = (curve_charts(each, made)[0].drawing for each in (curve, replace(curve, **some)))
-    assert (whole.count('class="mean"'), holed.count('class="mean"')) == (1, 2)
-    assert "nan" not in holed
+    whole, holed = (graph(curve_charts(each, made)[0].content) for each in (curve, replace(curve, **some)))
+    lost = np.isnan(gone)[thinned(curve.t.size, MOST_POSES)]
+    for one, expected in ((whole, 0 * lost), (holed, lost)):
+        for row in one.rows:
+            if not isinstance(row, Dots):
+                high = row.high if isinstance(row, Band) else row.values
+                assert (np.isnan(high) == expected).all()
 
 
 def test_what_does_not_scatter_has_no_pareto_chart(made: AccuracyOutcome) -> None:
@@ -322,8 +329,10 @@ def test_many_contributors_are_gathered(made: AccuracyOutcome) -> None:
     many = replace(made.contributors, every=made.contributors.every * 5, correlation=np.eye(15))
     figure = replace(made.figures["stroke"], shares=np.full(15, 1 / 15), monte_carlo=None)
     (chart,) = figure_charts(figure, replace(made, contributors=many))
-    assert chart.drawing.count('class="bar"') == 9
-    assert "7 others" in chart.drawing
+    found = graph(chart.content)
+    assert len(found.names) == only(Bars, found.rows).values.size == 9
+    assert str(found.names[-1]) == "7 others"
+    assert only(Line, found.rows).values[-1] == pytest.approx(100)
 
 
 def test_nothing_computed_is_said(made: AccuracyOutcome) -> None:

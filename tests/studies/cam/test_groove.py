@@ -10,10 +10,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+from helpers.charts import graph, plane, titled
 from helpers.heat_seal import NC, findings, heat_seal, performed
 from helpers.shown import blocks, heads, rows
 from linkwright.cam.nc.posts import Grbl, Post
 from linkwright.presentation.blocks import Table
+from linkwright.presentation.charts import Lines, Region
 from linkwright.report.cam_shapes import cam_shapes
 from linkwright.studies.cam.charts import charts
 from linkwright.studies.cam.files import FILES
@@ -33,10 +35,14 @@ def test_a_groove_and_what_is_written_of_it() -> None:
     (table,) = [one for one in blocks(report(job.cam), Table) if one.name == "nc"]
     assert heads(table).index("Clearance, mm") == heads(table).index("Excess material, mm") + 1
     assert [row[0] for row in rows(table)] == ["fanuc", "grbl"]
-    drawn = {str(chart.title): chart.drawing for chart in charts(job.cam)}
-    assert drawn["Cutter path"].count("<polygon") == 2 and "outer flank" in drawn["Cutter path"]
-    (error,) = [drawing for title, drawing in drawn.items() if "on both flanks" in title]
-    assert error.count("<polyline") >= 4
+    drawn = titled(charts(job.cam))
+    profile, flank, path = plane(drawn["Cutter path"]).layers
+    assert isinstance(profile, Region) and isinstance(flank, Lines) and isinstance(path, Lines)
+    assert np.hypot(*profile.rings[0]).max() < np.hypot(*np.hstack(path.lines)).max() < np.hypot(*flank.lines[0]).max()
+    (error,) = [graph(content) for title, content in drawn.items() if "on both flanks" in title]
+    assert [str(row.name) for row in error.rows] == [
+        f"{side} flank, {end}" for side in ("inner", "outer") for end in ("bottom", "top")
+    ]
     assert "(slot, ramp" in str(FILES["cam_fanuc.nc"](job.cam))
     assert FILES["cam_siemens.mpf"](job.cam) is None
 

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from functools import partial
-from typing import Annotated, Any
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from linkwright.drawing.charts import Axes
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen
 from linkwright.expressions.typed_fields import Quantity
@@ -19,6 +17,7 @@ from linkwright.kernels import Compiled
 from linkwright.model.csv_text import cell, head, table_text
 from linkwright.presentation.blocks import Chart, Charts, FileOf, Section, Sentences, StudyReport, Table
 from linkwright.presentation.cells import NumberCell
+from linkwright.presentation.charts import Axis, Graph, Line
 from linkwright.results import Result, Run
 from linkwright.studies.numbers import constant
 from linkwright.studies.registry import Command, Setting, Study, register
@@ -97,18 +96,17 @@ class Shaking(Study):
         heads = [Said("shaking.order"), Said("shaking.size", unit=unit)]
         rows = [[str(k), NumberCell(float(value), 6)] for k, value in enumerate(sizes)]
         title = Said("shaking.chart")
+
+        def graph() -> Graph:
+            return Graph(Axis(Said("plot.time"), "s"), outcome.run.t, Axis(title, unit), [Line(title, whole)])
+
         blocks = [
             Sentences([told]),
             Table("harmonics", Said("shaking.table"), heads, rows),
-            Charts([Chart(title, partial(_drawn, outcome.run.t, whole, title))]),
+            Charts([Chart(title, shown=graph)]),
         ]
         summary = {"shaking": {"largest": largest, "unit": unit, "harmonics": sizes.tolist(), "kernel": outcome.kernel}}
         return StudyReport([Section("shaking", blocks)], summary)
-
-
-def _drawn(t: Any, force: Any, title: Said) -> str:
-    axes = Axes((float(t[0]), float(t[-1])), (0.0, float(force.max())), title)
-    return axes.drawing([axes.line(t, force, "mean")], title)
 
 
 def _csv(outcome: ShakingOutcome) -> str:

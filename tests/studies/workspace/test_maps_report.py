@@ -17,10 +17,10 @@ from shapely.geometry import shape
 
 from helpers.workspaces import arm, performed
 from linkwright.app.job import Job
+from linkwright.drawing.levels import levels_of
 from linkwright.report.build import report_data
 from linkwright.report.page import page
 from linkwright.studies.workspace.files import geojson
-from linkwright.studies.workspace.map_picture import levels_of
 from linkwright.studies.workspace.maps_report import errors_csv, quality_charts, quality_csv, quality_svg
 
 A, B = 40.0, 30.0

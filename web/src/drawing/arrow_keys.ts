@@ -1,31 +1,36 @@
-// How long arrows are: of each kind a short one with its value, as a scale bar is for lengths.
+// How long arrows are: of each kind a short one with its value, as a scale bar is for lengths; of moments a small arc.
 
 import type { ArrowKind } from "../scene/data.ts";
 import { nice } from "../scene/numbers.ts";
 import { ARROW_KINDS, arrowPath, arrowScale } from "./arrows.ts";
 import { figure } from "./dimension_lines.ts";
 import { svg } from "./elements.ts";
+import { turnPath } from "./moments.ts";
 import type { Facts } from "./survey.ts";
 import type { View } from "./view.ts";
 import type { Say } from "./words.ts";
 
-/** How long such an arrow may be, and how far keys are apart, in pixels. */
+/** How long such an arrow may be, the radius of a moment's, how high a key is at least, in pixels. */
 const LONGEST = 46;
+const RADIUS = 12;
 const APART = 16;
 
 export interface Key {
   readonly path: string;
   readonly pixels: number;
+  readonly high: number;
   readonly text: string;
 }
 
-/** A nice value of a kind and its arrow, from (0, 0) to the right. */
+/** A nice value of a kind and its arrow, from (0, 0) to the right, `pixels` wide. */
 export function keyOf({ longest }: Facts, kind: ArrowKind, factor: number, width: number): Key | null {
   const scale = arrowScale(longest, kind, factor, width);
   if (!scale) return null;
-  const value = nice(LONGEST / scale);
-  const pixels = scale * value;
-  return { path: arrowPath([0, 0], [pixels, 0]), pixels, text: `${figure(value)} ${longest.get(kind)!.unit}` };
+  const round = kind === "moment";
+  const value = nice((round ? RADIUS : LONGEST) / scale);
+  const [long, text] = [scale * value, `${figure(value)} ${longest.get(kind)!.unit}`];
+  if (!round) return { path: arrowPath([0, 0], [long, 0]), pixels: long, high: 10, text };
+  return { path: turnPath([long + 4, 0], long), pixels: 2 * long + 8, high: 2 * long + 8, text };
 }
 
 /** What kinds of arrows are called. */
@@ -35,6 +40,7 @@ export const kindNames = (say: Say): Readonly<Record<ArrowKind, string>> => ({
   reaction: say("arrow_reaction"),
   load: say("arrow_load"),
   weight: say("arrow_weight"),
+  moment: say("arrow_moment"),
 });
 
 type Factors = ReadonlyMap<ArrowKind, number>;
@@ -46,10 +52,13 @@ export function arrowKeys(facts: Facts, view: View, factors: Factors, say: Say, 
     const key = factors.has(kind) ? keyOf(facts, kind, factors.get(kind)!, view.width) : null;
     return key ? [{ kind, key }] : [];
   });
-  keys.forEach(({ kind, key }, i) => {
-    const place = `translate(${view.width - 236} ${view.height - 14 - APART * (keys.length - 1 - i)})`;
+  let bottom = view.height - 6;
+  for (const { kind, key } of keys.reverse()) {
+    const high = Math.max(key.high, APART);
+    const place = `translate(${view.width - 236} ${bottom - high / 2})`;
+    bottom -= high;
     const group = svg("g", { class: "lw-key", transform: place }, parent);
     svg("path", { class: `lw-arrow lw-${kind}`, d: key.path }, group);
     svg("text", { x: LONGEST + 8, dy: "0.35em" }, group).textContent = `${names[kind]}: ${key.text}`;
-  });
+  }
 }

@@ -7,7 +7,7 @@ import type { Pin } from "./pins.ts";
 import { place, poseOf } from "./poses.ts";
 import type { Facts } from "./survey.ts";
 import type { View } from "./view.ts";
-import { degrees, round, written } from "./written.ts";
+import { degrees, inPath, round } from "./written.ts";
 
 export function backdrop(facts: Facts, view: View, parent: Element): void {
   const step = nice(110 / view.k);
@@ -48,7 +48,7 @@ function rail({ guide, low, high }: Guide, facts: Facts, view: View, parent: Ele
   const flip = Math.cos(turn) < -1e-9 || (Math.abs(Math.cos(turn)) < 1e-9 && turn < 0);
   if (flip) turn += Math.PI;
   const [from, to] = flip ? [-high * view.k, -low * view.k] : [low * view.k, high * view.k];
-  const at = written(view.toScreen(place(pose, guide.local)));
+  const at = inPath(view.toScreen(place(pose, guide.local)));
   const axes = svg("g", { transform: `translate(${at}) rotate(${degrees(turn)})` }, parent);
   const spare = BLOCK.length / 2 + 8;
   const [start, end] = [round(Math.min(0, from - spare)), round(Math.max(0, to + spare))];
@@ -61,7 +61,7 @@ function ground(pin: Pin, facts: Facts, view: View, parent: Element): void {
   const fixed = pin.places.find(({ link }) => link.fixed);
   const pose = fixed && poseOf(fixed.link, facts.times, 0);
   if (!pose) return;
-  const mark = svg("g", { transform: `translate(${written(view.toScreen(place(pose, fixed.local)))})` }, parent);
+  const mark = svg("g", { transform: `translate(${inPath(view.toScreen(place(pose, fixed.local)))})` }, parent);
   if (!pin.joints.length) svg("path", { class: "lw-ground", d: "M-5 0H5M0 -5V5" }, mark);
   else {
     svg("path", { class: "lw-pivot", d: "M0 0L-11 18H11Z" }, mark);

@@ -7,7 +7,7 @@ import { BLOCK, type Guide, inCylinder, onGuide, type Side } from "./guides.ts";
 import { poseOf } from "./poses.ts";
 import { colourOf, type Facts } from "./survey.ts";
 import { type Move, putShape, type View } from "./view.ts";
-import { degrees, round, written } from "./written.ts";
+import { degrees, inPath, round } from "./written.ts";
 
 /** From a link's axes to pixels in them, y down. */
 type ToPixels = (local: Point) => Point;
@@ -28,7 +28,7 @@ export function bodies(facts: Facts, view: View, r: number, parent: Element): Mo
       const [slots, body, blocks] = groups;
       const sliding = slides(facts, link, toPixels, view.k, groups);
       for (const line of link.outlines ?? []) {
-        const d = line.map((at) => written(toPixels(at))).join("L");
+        const d = line.map((at) => inPath(toPixels(at))).join("L");
         svg("path", { class: "lw-slot lw-outline", d: `M${d}Z` }, slots);
       }
       const points = Object.values(link.points).map(toPixels);
@@ -71,7 +71,7 @@ function slot({ guide, low, high }: Guide, toPixels: ToPixels, parent: Element):
 }
 
 function block(side: Side, toPixels: ToPixels, parent: Element): void {
-  const transform = `translate(${written(toPixels(side.local))}) rotate(${degrees(side.angle)})`;
+  const transform = `translate(${inPath(toPixels(side.local))}) rotate(${degrees(side.angle)})`;
   const { length: width, height } = BLOCK;
   svg("rect", { class: "lw-block", x: -width / 2, y: -height / 2, width, height, rx: 2, transform }, parent);
 }
@@ -82,7 +82,7 @@ function cylinder(side: Side, { low, high, guide }: Guide, k: number, toPixels: 
   const [near, far] = [Math.abs(forward ? low : high) * k, Math.abs(forward ? high : low) * k];
   const isBarrel = side === guide;
   const turn = side.angle + (forward === isBarrel ? 0 : Math.PI);
-  const transform = `translate(${written(toPixels(side.local))}) rotate(${degrees(turn)})`;
+  const transform = `translate(${inPath(toPixels(side.local))}) rotate(${degrees(turn)})`;
   const axes = svg("g", { transform }, parent);
   if (isBarrel) {
     const width = round(Math.max(near - 14, 20));

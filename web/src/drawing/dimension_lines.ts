@@ -8,7 +8,7 @@ import { place, poseOf } from "./poses.ts";
 import type { Spot } from "./pins.ts";
 import type { Facts } from "./survey.ts";
 import type { Move, View } from "./view.ts";
-import { round, written } from "./written.ts";
+import { inPath, round } from "./written.ts";
 
 /** How far a line stands off its bar, and the radius of an angle's arc, in pixels. */
 const OFF = 15;
@@ -73,16 +73,16 @@ export function lengthLine([x0, y0]: Point, [x1, y1]: Point): Line | null {
   if (length < 8) return null;
   const [ux, uy] = [(x1 - x0) / length, (y1 - y0) / length];
   const at = (along: number, across: number): Point => [x0 + along * ux + across * uy, y0 + along * uy - across * ux];
-  const stroke = (along: number): string => `M${written(at(along, OFF - 4))}L${written(at(along, OFF + 4))}`;
-  const d = `M${written(at(0, OFF))}L${written(at(length, OFF))}${stroke(0)}${stroke(length)}`;
+  const stroke = (along: number): string => `M${inPath(at(along, OFF - 4))}L${inPath(at(along, OFF + 4))}`;
+  const d = `M${inPath(at(0, OFF))}L${inPath(at(length, OFF))}${stroke(0)}${stroke(length)}`;
   return { d, middle: at(length / 2, OFF) };
 }
 
 /** An arc around a place on the screen, from a direction of the world by an angle, and the direction's own line. */
 export function angleLine([x, y]: Point, from: number, by: number): Line {
   const at = (angle: number, radius: number): Point => [x + radius * Math.cos(angle), y - radius * Math.sin(angle)];
-  const arc = `A${ARC} ${ARC} 0 ${Math.abs(by) > Math.PI ? 1 : 0} ${by > 0 ? 0 : 1} ${written(at(from + by, ARC))}`;
-  const d = `M${written([x, y])}L${written(at(from, ARC + 12))}M${written(at(from, ARC))}${arc}`;
+  const arc = `A${ARC} ${ARC} 0 ${Math.abs(by) > Math.PI ? 1 : 0} ${by > 0 ? 0 : 1} ${inPath(at(from + by, ARC))}`;
+  const d = `M${inPath([x, y])}L${inPath(at(from, ARC + 12))}M${inPath(at(from, ARC))}${arc}`;
   return { d, middle: at(from + by / 2, ARC + 16) };
 }
 

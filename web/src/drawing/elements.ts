@@ -27,6 +27,11 @@ function dressed<E extends Element>(node: E, attributes: Attributes, parent: Ele
   return node;
 }
 
+/** Gives an element a text; one that it has already isn't written again, since a browser would lay it out anew. */
+export function write(node: Element, text: string): void {
+  if (node.textContent !== text) node.textContent = text;
+}
+
 /** Shows an element or takes it out of sight. */
 export function shown(node: SVGElement, yes: boolean): void {
   node.style.display = yes ? "" : "none";

@@ -14,7 +14,7 @@ export interface Frame {
 /** An empty drawing in place of what is in `el`. */
 export function frame(el: Element, say: Say): Frame {
   const root = html("div", { class: "lw" });
-  html("style", {}, root, STYLE);
+  if (STYLE) html("style", {}, root, STYLE);
   const stage = html("div", { class: "lw-stage" }, root);
   const drawing = svg("svg", { class: "lw-drawing", role: "img", "aria-label": say("drawing") }, stage);
   el.replaceChildren(root);

@@ -5,7 +5,7 @@ import { shown, svg } from "./elements.ts";
 import { place, poseOf } from "./poses.ts";
 import type { Facts } from "./survey.ts";
 import type { Move, View } from "./view.ts";
-import { round, written } from "./written.ts";
+import { inPath, round } from "./written.ts";
 
 /** The least opening that is shown, over the mechanism's size: below it lies round-off. */
 const LEAST = 1e-6;
@@ -32,7 +32,7 @@ export function openings(facts: Facts, view: View, parent: Element): Move {
       shown(group, gap > LEAST * facts.size);
       if (!from || !to || gap <= LEAST * facts.size) continue;
       const [a, b] = [view.toScreen(from), view.toScreen(to)];
-      line.setAttribute("d", `M${written(a)}L${written(b)}`);
+      line.setAttribute("d", `M${inPath(a)}L${inPath(b)}`);
       [a, b].forEach(([x, y], i) => {
         ends[i]!.setAttribute("cx", String(round(x)));
         ends[i]!.setAttribute("cy", String(round(y)));

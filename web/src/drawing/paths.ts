@@ -5,7 +5,7 @@ import { svg } from "./elements.ts";
 import { poseOf, spot } from "./poses.ts";
 import { colourOf, type Facts, PALETTE, traceColour } from "./survey.ts";
 import { type Move, putCircle, putShape, type View } from "./view.ts";
-import { written } from "./written.ts";
+import { inPath } from "./written.ts";
 
 /** Groups of the drawing in the order of the scene's list, and what moves in them. */
 export interface Layer {
@@ -23,7 +23,7 @@ export function linePath(xs: Values, ys: Values, toScreen: (at: Point) => Point)
   for (let i = 0; i < xs.length; i++) {
     const [x, y] = [known(xs, i), known(ys, i)];
     const here = x !== null && y !== null;
-    if (here) d += `${pen ? "L" : "M"}${written(toScreen([x, y]))}`;
+    if (here) d += `${pen ? "L" : "M"}${inPath(toScreen([x, y]))}`;
     pen = here;
   }
   return d;
@@ -32,7 +32,7 @@ export function linePath(xs: Values, ys: Values, toScreen: (at: Point) => Point)
 export function areas(facts: Facts, view: View, parent: Element): SVGGElement[] {
   return facts.areas.map(({ rings }, i) => {
     const group = svg("g", { class: `lw-area lw-c${i % PALETTE}` }, parent);
-    const d = rings.map((ring) => `M${ring.map((at) => written(view.toScreen(at))).join("L")}Z`);
+    const d = rings.map((ring) => `M${ring.map((at) => inPath(view.toScreen(at))).join("L")}Z`);
     svg("path", { d: d.join("") }, group);
     return group;
   });

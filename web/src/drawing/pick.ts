@@ -1,7 +1,9 @@
 // What lies at a place of the window.
 
-import type { Point } from "../scene/data.ts";
+import type { ArrowKind, Point } from "../scene/data.ts";
+import { clamp } from "../scene/numbers.ts";
 import { locate } from "../scene/times.ts";
+import { type Arrow, arrowScale, beginning, vectorOf } from "./arrows.ts";
 import type { Pin } from "./pins.ts";
 import { place, poseOf } from "./poses.ts";
 import type { Facts } from "./survey.ts";
@@ -36,4 +38,38 @@ export function pinAt(
     }
   }
   return best;
+}
+
+/** The arrow next to a place of the drawing at a time, among those of the kinds that are seen, by factors of their
+ * usual length; none farther away than `within` pixels. */
+export function arrowAt(
+  facts: Facts,
+  view: View,
+  factors: ReadonlyMap<ArrowKind, number>,
+  time: number,
+  at: Point,
+  within: number,
+): Arrow | null {
+  const { k, f } = locate(facts.times, time);
+  let best: Arrow | null = null;
+  let least = within;
+  for (const arrow of facts.arrows) {
+    const factor = factors.get(arrow.data.kind);
+    const from = factor === undefined ? null : beginning(arrow, facts.times, k, f);
+    const vector = from && vectorOf(arrow, facts.times, k, f);
+    if (factor === undefined || !from || vector === null) continue;
+    const scale = arrowScale(facts.longest, arrow.data.kind, factor, view.width);
+    const off = away(at, view.toScreen(from), vector, scale);
+    if (off < least) [best, least] = [arrow, off];
+  }
+  return best;
+}
+
+/** How far a place lies from the line of an arrow, all on the screen. */
+function away([x, y]: Point, [px, py]: Point, vector: Point | number, scale: number): number {
+  const [dx, dy] = [x - px, y - py];
+  if (typeof vector === "number") return Math.abs(Math.hypot(dx, dy) - Math.abs(scale * vector));
+  const [vx, vy] = [scale * vector[0], -scale * vector[1]];
+  const share = clamp((dx * vx + dy * vy) / (vx * vx + vy * vy || 1), 0, 1);
+  return Math.hypot(dx - share * vx, dy - share * vy);
 }

@@ -5,12 +5,13 @@
 
 import { clamp } from "../scene/numbers.ts";
 import { locate } from "../scene/times.ts";
+import type { Arrow } from "./arrows.ts";
 import { controls } from "./controls.ts";
 import type { Drawing, Listener, RenderOptions } from "./drawing.ts";
 import { frame } from "./frame.ts";
 import { hover } from "./hover.ts";
 import { type Drawn, draw } from "./picture.ts";
-import { onPicture, pinAt } from "./pick.ts";
+import { arrowAt, onPicture, pinAt } from "./pick.ts";
 import type { Pin } from "./pins.ts";
 import { playback } from "./playback.ts";
 import { usual } from "./seen.ts";
@@ -69,18 +70,20 @@ export function render({
   };
   /** Centrodes are recorded: those of a changed mechanism aren't known. */
   const stale = (kind: string): boolean => kind === "centrodes" && original !== null;
+  /** Of the stage, as it was last measured: to ask for it at each change would make the browser lay out twice. */
+  let width = 0;
   const layout = (): void => {
     cancelAnimationFrame(drawn);
     drawn = 0;
     const { camera } = viewed;
-    const width = Math.round(stage.clientWidth) || 640;
+    const wide = Math.round(width || stage.clientWidth) || 640;
     const box = ui.centrodes.some((each) => each.checked) && !original ? facts.wide : facts.box;
     for (const each of ui.centrodes) each.disabled = stale("centrodes");
     const before = picture ?? null;
-    picture = draw(drawing, facts, { width, ...viewed.heights(), box, camera, seen, original, before }, say);
+    picture = draw(drawing, facts, { width: wide, ...viewed.heights(), box, camera, seen, original, before }, say);
     switches();
     show();
-    row.update(facts, width);
+    row.update(facts, wide);
     viewed.update();
   };
   /** Draws anew in the next frame, once however often it is asked. */
@@ -108,7 +111,9 @@ export function render({
     fit: fitAll,
   });
   const row = showRow(root, facts, seen, say, layout);
-  const pointed = hover({ stage, picture: drawing, say, pick, changed: () => show() });
+  const pickArrow = (x: number, y: number, within: number): Arrow | null =>
+    arrowAt(facts, picture!.view, seen.arrows, now, onPicture(drawing, x, y), within);
+  const pointed = hover({ stage, picture: drawing, say, pick, pickArrow, changed: () => show() });
   const frames = playback(
     (seconds) => goTo(first + ((now - first + seconds * perSecond * Number(ui.speed.value)) % (last - first))),
     (playing) => {
@@ -130,7 +135,6 @@ export function render({
   ui.slider.addEventListener("input", () => setIndex(Number(ui.slider.value)));
   for (const box of [...ui.areas, ...ui.traces]) box.addEventListener("change", switches);
   for (const box of ui.centrodes) box.addEventListener("change", layout); // they may need more room
-  let width = 0;
   const watcher = new ResizeObserver(() => {
     if (!stage.clientWidth || stage.clientWidth === width) return;
     width = stage.clientWidth;

@@ -30,7 +30,8 @@ export function showRow(root: Element, facts: Facts, seen: Seen, say: Say, chang
     const group = html("span", { class: `lw-kind lw-${kind}` }, row);
     const box = check(group, names[kind], false, "");
     const scale = html("span", { class: "lw-scale-of", hidden: "" }, group);
-    const label = filled(say("arrow_length"), { name: names[kind] });
+    const round = kind === "moment";
+    const label = filled(say(round ? "arrow_radius" : "arrow_length"), { name: names[kind] });
     const slider = html("input", { type: "range", min: -2, max: 2, step: 0.25, value: 0, "aria-label": label }, scale);
     const key = svg("svg", { class: "lw-key", height: 10, "aria-hidden": "true" }, scale);
     const text = html("output", { "aria-live": "off" }, scale);
@@ -44,7 +45,7 @@ export function showRow(root: Element, facts: Facts, seen: Seen, say: Say, chang
       write();
       changed();
     });
-    return { kind, arrow: svg("path", { class: `lw-arrow lw-${kind}`, transform: "translate(0 5)" }, key), key, text };
+    return { kind, arrow: svg("path", { class: `lw-arrow lw-${kind}` }, key), key, text };
   });
   const update = (now: Facts, width: number): void => {
     for (const { kind, arrow, key, text } of kinds) {
@@ -53,7 +54,9 @@ export function showRow(root: Element, facts: Facts, seen: Seen, say: Say, chang
       const found = keyOf(now, kind, factor, width);
       if (!found) continue;
       arrow.setAttribute("d", found.path);
+      arrow.setAttribute("transform", `translate(0 ${found.high / 2})`);
       key.setAttribute("width", String(Math.ceil(found.pixels)));
+      key.setAttribute("height", String(Math.ceil(found.high)));
       text.textContent = found.text;
     }
   };

@@ -4,7 +4,7 @@ import type { Point } from "../scene/data.ts";
 import { shown } from "./elements.ts";
 import type { Pose } from "./poses.ts";
 import type { Box, Facts } from "./survey.ts";
-import { round, written } from "./written.ts";
+import { inPath, round } from "./written.ts";
 
 /** Room around the mechanism, in pixels. */
 const PAD = { x: 46, top: 44, bottom: 58 };
@@ -45,7 +45,7 @@ export function putShape(shape: SVGGraphicsElement, pose: Pose | null, view: Vie
   shown(shape, pose !== null);
   if (!pose) return;
   const turn = [pose.c, -pose.s, pose.s, pose.c].map((value) => value.toFixed(6)).join(" ");
-  shape.setAttribute("transform", `matrix(${turn} ${written(view.toScreen([pose.x, pose.y]))})`);
+  shape.setAttribute("transform", `matrix(${turn} ${inPath(view.toScreen([pose.x, pose.y]))})`);
 }
 
 /** Moves a circle to a place on the screen; without one it is out of sight. */

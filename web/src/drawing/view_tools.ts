@@ -1,6 +1,7 @@
 // Buttons on the drawing: nearer, farther, all of it, the whole screen.
 
 import { html, svg } from "./elements.ts";
+import { CLOSER } from "./keyboard.ts";
 import type { Say } from "./words.ts";
 
 export interface ViewTools {
@@ -31,8 +32,8 @@ export function viewTools({ stage, root, say, zoom, fit }: ViewToolOptions): Vie
     made.addEventListener("click", act);
     return made;
   };
-  button(say("zoom_in"), () => zoom(1.4), SIGNS.in);
-  button(say("zoom_out"), () => zoom(1 / 1.4), SIGNS.out);
+  button(say("zoom_in"), () => zoom(CLOSER), SIGNS.in);
+  button(say("zoom_out"), () => zoom(1 / CLOSER), SIGNS.out);
   const all = button(say("fit_all"), fit);
   all.textContent = say("fit");
   if (document.fullscreenEnabled) {

@@ -1,9 +1,10 @@
-// The part of the world that a drawing shows, as its reader moves it: buttons, gestures, the whole screen.
+// The part of the world that a drawing shows, as its reader moves it: buttons, gestures, keys, the whole screen.
 
 import type { Point } from "../scene/data.ts";
 import { clamp } from "../scene/numbers.ts";
 import { type Camera, HOME, panned, zoomed } from "./camera.ts";
 import type { Frame } from "./frame.ts";
+import { keyboard } from "./keyboard.ts";
 import { navigation } from "./navigation.ts";
 import type { Pin } from "./pins.ts";
 import type { Facts } from "./survey.ts";
@@ -48,7 +49,9 @@ export function viewing({ root, stage, drawing, say, facts, fitted, pick, redraw
     redraw();
   };
   const middle = (): Point => [fitted().width / 2, fitted().height / 2];
-  const tools = viewTools({ stage, root, say, zoom: (factor) => zoom(middle(), factor), fit });
+  const closer = (factor: number): void => zoom(middle(), factor);
+  const tools = viewTools({ stage, root, say, zoom: closer, fit });
+  keyboard({ root, stage, drawing }, say, { pan, zoom: closer, fit });
   navigation({
     picture: drawing,
     zoom,

@@ -29,7 +29,7 @@ const drawing = render({ model: scene, el: found("#drawing"), words: words.texts
 /** The picture for paper shows what the one on the screen does. */
 const toPaper = () => still({ model: drawing.scene, el: found("#still"), words: words.texts, seen: drawing.seen });
 toPaper();
-const own = Array.from(document.querySelectorAll<HTMLElement>("figure.plot"), (box) => {
+const own = Array.from(document.querySelectorAll<HTMLElement>("figure.plot[data-plot]"), (box) => {
   const i = Number(box.dataset["plot"]);
   const signals = plots[i]!.series.map(({ name }) => name);
   const first = !live || page.first.includes(i);

@@ -1,7 +1,7 @@
 // What a report brings to compute its mechanism itself (linkwright/report/live.py). Times in s, all values in SI.
 
 import type { LiveMeasure } from "../measures/measure.ts";
-import type { Program, ProgramData } from "../program/data.ts";
+import type { Outline, Program, ProgramData } from "../program/data.ts";
 
 /** A number of the model file that can be moved: its place in the file, its value with bounds, its unit. */
 export interface LiveNumber {
@@ -51,6 +51,8 @@ export interface LiveData {
   readonly probes: readonly (number | null)[];
   readonly scales: readonly number[];
   readonly measures: readonly LiveMeasure[];
+  /** Closed lines on links, one program each. */
+  readonly outlines: readonly Outline[];
   /** Whether the last two rows are what the powers of a pose leave, and their size. */
   readonly power: boolean;
   /** Of each measure the signal that it is of: its value, the negative one, its magnitude, that of the vector of which

@@ -32,6 +32,8 @@ export class LiveModel {
   private gesture: { noted: boolean } | null = null;
   /** The number of the data by its place among the free parameters; -1 where it stands nowhere in the file. */
   private readonly places: number[];
+  /** The place of a number of the data among the free parameters. */
+  private readonly own: number[];
   private readonly listeners = new Set<() => void>();
 
   constructor(data: LiveData, programs: readonly Program[]) {
@@ -39,6 +41,7 @@ export class LiveModel {
     this.mechanism = new Mechanism(data.program, programs, data.times);
     const { free } = data.program;
     this.places = free.map((name) => data.numbers.findIndex((number) => number.name === name));
+    this.own = data.numbers.map(({ name }) => free.indexOf(name));
     this.values = Float64Array.from(data.program.values);
     this.original = this.run(this.values);
     this.motion = this.original;
@@ -58,17 +61,17 @@ export class LiveModel {
 
   /** The value of a number of the data, by its place there. */
   value(number: number): number {
-    return this.values[this.places.indexOf(number)]!;
+    return this.values[this.own[number]!]!;
   }
 
   set(number: number, value: number): void {
-    this.values[this.places.indexOf(number)] = value;
+    this.values[this.own[number]!] = value;
     this.compute();
   }
 
   reset(number: number | null = null): void {
     if (number === null) this.values.set(this.data.program.values);
-    else this.values[this.places.indexOf(number)] = this.data.numbers[number]!.value;
+    else this.values[this.own[number]!] = this.data.numbers[number]!.value;
     this.compute();
   }
 

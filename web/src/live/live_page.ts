@@ -1,10 +1,10 @@
 // The live report: one change of a number moves the drawing, the plots, and what the page says of them.
 
-import { html } from "../drawing/elements.ts";
+import { html, write } from "../drawing/elements.ts";
 import type { Drawing } from "../drawing/render.ts";
 import { still } from "../drawing/still.ts";
 import { filled, type Say, speaker } from "../drawing/words.ts";
-import { dimensions, written } from "../panels/dimensions.ts";
+import { dimensions } from "../panels/dimensions.ts";
 import { found } from "../panels/found.ts";
 import { liveState } from "../panels/live_state.ts";
 import { measured } from "../panels/measured.ts";
@@ -13,6 +13,10 @@ import type { Scene, Texts, TimeAxis } from "../scene/data.ts";
 import { dragging } from "./dragging.ts";
 import type { LiveModel } from "./live_model.ts";
 import { sceneOf } from "./live_scene.ts";
+import { sixDigits } from "../scene/numbers.ts";
+
+/** After so long without a change (ms) the picture for paper is drawn. */
+const RESTING = 300;
 
 export interface LivePage {
   readonly live: LiveModel;
@@ -44,25 +48,19 @@ export function livePage({ live, drawing, charts, scene, time, texts, locked, fa
     still({ model: now, el: found("#still"), words: texts, seen: drawing.seen });
     caption.textContent = live.changed ? `◐ ${say("live.changed")}. ${captioned}` : captioned;
   };
-  let [waiting, now] = [false, original];
+  let now = original;
   const update = (): void => {
-    waiting = false;
     // Numbers that make no sense have no picture: the last one stays.
     const kind = live.motion.failure?.kind;
     if (kind !== "number" && kind !== "parameter") now = live.changed ? sceneOf(scene, live) : original;
     drawing.update(now, live.changed ? original : null);
-    charts.update();
-    table.update();
     panel.update();
     state.update(now);
     clearTimeout(resting);
     const last = now;
-    resting = window.setTimeout(() => toPaper(last), 150);
+    resting = window.setTimeout(() => toPaper(last), RESTING);
   };
-  live.on(() => {
-    if (!waiting) requestAnimationFrame(update);
-    waiting = true;
-  });
+  live.on(inTurns(update, [() => charts.update(), () => table.update()]));
   dragging({
     live,
     drawing,
@@ -70,12 +68,37 @@ export function livePage({ live, drawing, charts, scene, time, texts, locked, fa
     shapes,
     said: (off) => {
       hint.hidden = off === null;
-      const far = off === null ? "" : `${written(off / live.data.length)} ${scene.length_unit}`;
-      hint.textContent = filled(say("live.out_of_reach"), { off: far });
+      const far = off === null ? "" : `${sixDigits(off / live.data.length)} ${scene.length_unit}`;
+      write(hint, filled(say("live.out_of_reach"), { off: far }));
     },
   });
   panel.update();
   state.update(original);
+}
+
+/** What is called after each change: `first` in the next frame, the others one a frame after it, so that no frame has
+ * to do everything. Those that a next change keeps waiting come first then. */
+function inTurns(first: () => void, others: readonly (() => void)[]): () => void {
+  let [changed, waiting] = [false, false];
+  let due: (() => void)[] = [];
+  const wait = (): void => {
+    if (!waiting) requestAnimationFrame(frame);
+    waiting = true;
+  };
+  const frame = (): void => {
+    waiting = false;
+    if (changed) {
+      first();
+      due = [...due, ...others.filter((each) => !due.includes(each))];
+    }
+    changed = false;
+    due.shift()?.();
+    if (due.length) wait();
+  };
+  return () => {
+    changed = true;
+    wait();
+  };
 }
 
 /** The choice of what a drag does, above the drawing's controls, and the place where a drag says what hinders it. */

@@ -20,8 +20,9 @@ export function sceneOf(base: Scene, live: LiveModel, motion: Motion = live.moti
       Object.keys(link.points).map((name): [string, Point] => [name, [coordinate(), coordinate()]]),
     );
     const { outlines, ...rest } = link;
-    const same = motion === live.original && outlines;
-    return { ...rest, points, pose: poseOf(link, data.poses, rows, data.length), ...(same ? { outlines } : {}) };
+    const lines = motion === live.original ? outlines : outlinesOf(link.name, live, motion);
+    const pose = poseOf(link, data.poses, rows, data.length);
+    return lines ? { ...rest, points, pose, outlines: lines } : { ...rest, points, pose };
   });
   const joints = base.joints.map((joint) =>
     joint.kind === "prismatic" ? { ...joint, angles: [shape[next++]!, shape[next++]!] as const } : joint,
@@ -34,6 +35,15 @@ export function sceneOf(base: Scene, live: LiveModel, motion: Motion = live.moti
   const time = data.times.map((each) => each / data.second);
   const values = valuesOf(base, live, motion);
   return { ...base, links, joints, traces, time, values, open: openings(motion, time.length) };
+}
+
+/** The outlines of a link that can be computed: those of cams and their rollers. */
+function outlinesOf(link: string, { data, mechanism }: LiveModel, { parameters }: Motion): Point[][] | null {
+  const found = data.outlines.flatMap((one, i) =>
+    one.link === link ? mechanism.outline(i, one, parameters) : [],
+  );
+  const scaled = found.map((line) => line.map(([x, y]): Point => [x / data.length, y / data.length]));
+  return scaled.length ? scaled : null;
 }
 
 /** The rows that arrows name, in the page's units. */

@@ -3,7 +3,7 @@
 import { html, svg } from "../drawing/elements.ts";
 import type { LiveNumber } from "../live/live_data.ts";
 import type { LiveModel } from "../live/live_model.ts";
-import { nice } from "../scene/numbers.ts";
+import { nice, sixDigits } from "../scene/numbers.ts";
 import type { Say } from "../drawing/words.ts";
 
 /** In how many steps a slider goes at least from end to end. */
@@ -36,27 +36,32 @@ export function dimensions(box: Element, live: LiveModel, say: Say, why: readonl
     row(number.named ? named : others, live, i, say, why[i] ?? ""),
   );
   if (!others.childElementCount) more.remove();
-  const within = tolerances(box, numbers, rows, live, say);
+  const bounds = tolerances(box, numbers, say, () => rows.forEach((_, i) => place(i)));
+  /** The values that the rows show: what stays isn't written again, a browser lays it out anew. */
+  const shown = new Float64Array(numbers.length).fill(NaN);
+  const place = (i: number): void => {
+    const { slider, entry, back } = rows[i]!;
+    const number = numbers[i]!;
+    const value = live.value(i);
+    const text = sixDigits(value / number.size);
+    const typing = document.activeElement === entry;
+    shown[i] = typing ? NaN : value;
+    const [low, high] = bounds(number);
+    const { min, max } = span(Math.min(low, value), Math.max(high, value), number.size);
+    slider.min = String(min);
+    slider.max = String(max);
+    slider.value = String(value / number.size);
+    slider.setAttribute("aria-valuetext", `${text} ${number.unit}`);
+    if (!typing) entry.value = text;
+    const same = value === number.value;
+    back.hidden = same;
+    slider.parentElement!.classList.toggle("changed", !same);
+  };
   return {
     held: (i) => rows[i]!.hold.getAttribute("aria-pressed") === "true",
-    update() {
-      rows.forEach(({ slider, entry, back }, i) => {
-        const number = numbers[i]!;
-        const value = live.value(i) / number.size;
-        slider.value = String(value);
-        slider.setAttribute("aria-valuetext", `${written(value)} ${number.unit}`);
-        if (document.activeElement !== entry) entry.value = written(value);
-        const same = live.value(i) === number.value;
-        back.hidden = same;
-        slider.parentElement!.classList.toggle("changed", !same);
-      });
-      within();
-    },
+    update: () => rows.forEach((_, i) => live.value(i) !== shown[i] && place(i)),
   };
 }
-
-/** A value as it is shown: six significant digits. */
-export const written = (value: number): string => String(Number(value.toPrecision(6)));
 
 function row(parent: Element, live: LiveModel, i: number, say: Say, why: string): Row {
   const number = live.data.numbers[i]!;
@@ -79,15 +84,15 @@ function row(parent: Element, live: LiveModel, i: number, say: Say, why: string)
     const value = Number(entry.value.trim().replace("−", "-").replace(",", "."));
     const good = entry.value.trim() !== "" && Number.isFinite(value);
     entry.setAttribute("aria-invalid", String(!good));
-    if (good && written(live.value(i) / size) !== written(value)) live.set(i, value * size);
+    if (good && sixDigits(live.value(i) / size) !== sixDigits(value)) live.set(i, value * size);
   };
   entry.addEventListener("change", take);
   entry.addEventListener("keydown", (event) => {
-    if (event.key === "Escape") entry.value = written(live.value(i) / size);
+    if (event.key === "Escape") entry.value = sixDigits(live.value(i) / size);
     if (event.key === "Enter" || event.key === "Escape") entry.blur();
   });
   entry.addEventListener("blur", () => {
-    if (entry.getAttribute("aria-invalid") === "true") entry.value = written(live.value(i) / size);
+    if (entry.getAttribute("aria-invalid") === "true") entry.value = sixDigits(live.value(i) / size);
     entry.removeAttribute("aria-invalid");
   });
   if (locked) {
@@ -116,31 +121,20 @@ function span(low: number, high: number, size: number): { min: number; max: numb
   return { min: round(min, Math.floor), max: round(max, Math.ceil), step: "any" };
 }
 
-/** A box to tick that keeps sliders within tolerances, if there are any; gives what updates the ends of sliders: they
- * reach as far as a value that was typed. */
+/** A box to tick that keeps sliders within tolerances, if there are any; gives the ends of a number's slider, and calls
+ * back when they change. */
 function tolerances(
   box: Element,
   numbers: readonly LiveNumber[],
-  rows: readonly Row[],
-  live: LiveModel,
   say: Say,
-): () => void {
+  changed: () => void,
+): (number: LiveNumber) => readonly [number, number] {
   let tick: HTMLInputElement | null = null;
   if (numbers.some((number) => number.tolerance)) {
     const label = html("label", { class: "within" }, box);
     tick = html("input", { type: "checkbox" }, label);
     label.append(say("live.within_tolerances"));
+    tick.addEventListener("change", changed);
   }
-  const update = (): void => {
-    rows.forEach(({ slider }, i) => {
-      const { low, high, size, tolerance } = numbers[i]!;
-      const ends = (tick?.checked && tolerance) || [low, high];
-      const { min, max } = span(Math.min(ends[0], live.value(i)), Math.max(ends[1], live.value(i)), size);
-      slider.min = String(min);
-      slider.max = String(max);
-      slider.value = String(live.value(i) / size);
-    });
-  };
-  tick?.addEventListener("change", update);
-  return update;
+  return ({ low, high, tolerance }) => (tick?.checked && tolerance) || [low, high];
 }

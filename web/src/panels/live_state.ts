@@ -1,7 +1,7 @@
 // What the page says of a model that was changed: that nothing verifies it, what it can't do, how to get back, and the
 // lines of the file that would make it so.
 
-import { html } from "../drawing/elements.ts";
+import { html, write } from "../drawing/elements.ts";
 import { filled, type Say } from "../drawing/words.ts";
 import type { LiveModel } from "../live/live_model.ts";
 import { changedLines } from "../live/changed_lines.ts";
@@ -9,7 +9,7 @@ import { closureError } from "../live/closure_error.ts";
 import type { Failure } from "../program/mechanism.ts";
 import type { Scene, TimeAxis } from "../scene/data.ts";
 import { copy } from "./copy.ts";
-import { written } from "./dimensions.ts";
+import { sixDigits } from "../scene/numbers.ts";
 
 export interface LiveState {
   update(scene: Scene): void;
@@ -57,7 +57,7 @@ export function liveState(
     const { changed, motion } = live;
     document.documentElement.classList.toggle("live-changed", changed);
     badge.hidden = !changed;
-    badge.textContent = `◐ ${say("live.changed")}`;
+    write(badge, `◐ ${say("live.changed")}`);
     for (const button of [reset, copied]) button.hidden = !changed;
     bar.toggleAttribute("hidden", !changed && live.sound && !live.undoable);
     undo.hidden = !live.undoable;
@@ -84,7 +84,8 @@ function stateLine(
   if (!failure) {
     const closes = filled(say("live.closes"), { error: closureError(scene).toExponential(1) });
     const left = live.powerResidual;
-    return left === null ? closes : `${closes} ${filled(say("live.balances"), { error: left.toExponential(1) })}`;
+    const balances = left === null ? "" : ` ${filled(say("live.balances"), { error: left.toExponential(1) })}`;
+    return `${closes}${balances}${live.changed && data.outlines.length ? ` ${say("live.cams")}` : ""}`;
   }
   const names: Record<string, string | undefined> = {
     parameter: data.parameters[failure.index],
@@ -93,7 +94,7 @@ function stateLine(
     higher: data.program.higher[failure.index]?.group,
     number: data.conditions.places[failure.index],
   };
-  const at = `${written(data.times[failure.pose]! / data.second)} ${unit}`;
+  const at = `${sixDigits(data.times[failure.pose]! / data.second)} ${unit}`;
   return filled(say(`live.failed_${failure.kind}`), {
     name: names[failure.kind] ?? "",
     time: at,
@@ -104,10 +105,10 @@ function stateLine(
 /** What is wrong with a number, at the values of the moment. */
 function faultLine(live: LiveModel, { index, value = NaN }: Failure, faults: readonly string[]): string {
   const { conditions, numbers } = live.data;
-  const text = filled(faults[index]!, { value: written(value / (conditions.sizes[index] ?? 1)) });
+  const text = filled(faults[index]!, { value: sixDigits(value / (conditions.sizes[index] ?? 1)) });
   // Numbers of the file stand by names in expressions.
   return text.replace(/n'\d+/g, (name) => {
     const i = numbers.findIndex((number) => number.name === name);
-    return i < 0 ? name : `${written(live.value(i) / numbers[i]!.size)} ${numbers[i]!.unit}`.trim();
+    return i < 0 ? name : `${sixDigits(live.value(i) / numbers[i]!.size)} ${numbers[i]!.unit}`.trim();
   });
 }

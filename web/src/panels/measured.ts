@@ -1,6 +1,6 @@
 // The measures of the page, taken anew from the samples while its numbers are changed.
 
-import { html } from "../drawing/elements.ts";
+import { html, write } from "../drawing/elements.ts";
 import { filled, type Say } from "../drawing/words.ts";
 import { figuresOf, rowsOf } from "../live/live_figures.ts";
 import type { LiveModel } from "../live/live_model.ts";
@@ -8,7 +8,7 @@ import type { Figure, LiveMeasure } from "../measures/measure.ts";
 import { isLive } from "../measures/registry.ts";
 import { met } from "../measures/requirement.ts";
 import type { TimeAxis } from "../scene/data.ts";
-import { written } from "./dimensions.ts";
+import { sixDigits } from "../scene/numbers.ts";
 
 interface Row {
   readonly measure: LiveMeasure;
@@ -35,20 +35,26 @@ export function measured(live: LiveModel, say: Say, time: Pick<TimeAxis, "unit">
   });
   const badge = document.querySelector<HTMLElement>("#requirements");
   const badgeAs = badge?.innerHTML ?? "";
+  let taken = false;
+  /** What the file's own run found stands there again. */
+  const restore = (): void => {
+    taken = false;
+    for (const { cells } of rows) for (const { cell, as } of cells) cell.innerHTML = as;
+    if (badge) badge.innerHTML = badgeAs;
+  };
   const update = (): void => {
+    if (!live.changed) {
+      if (taken) restore();
+      return;
+    }
+    taken = true;
     const verdicts: boolean[] = [];
     for (const row of rows) {
-      if (!live.changed) {
-        for (const { cell, as } of row.cells) cell.innerHTML = as;
-        continue;
-      }
       const verdict = show(row);
       if (verdict !== null) verdicts.push(verdict);
     }
-    if (!badge) return;
-    badge.innerHTML = badgeAs;
-    const shownBadge = badge.querySelector<HTMLElement>(".mark");
-    if (!live.changed || !verdicts.length || !shownBadge) return;
+    const shownBadge = badge?.querySelector<HTMLElement>(".mark");
+    if (!verdicts.length || !shownBadge) return;
     const passed = verdicts.filter(Boolean).length;
     const text = filled(say("live.requirements"), { met: `${passed}`, total: `${verdicts.length}` });
     mark(shownBadge, passed === verdicts.length, text);
@@ -61,21 +67,21 @@ export function measured(live: LiveModel, say: Say, time: Pick<TimeAxis, "unit">
     measure.labels.forEach((label, i) => {
       const figure = found?.[label];
       const value = values[i]?.querySelector("b");
-      if (value) value.textContent = figure ? shown(figure.value / measure.size) : "–";
+      if (value) write(value, figure ? shown(figure.value / measure.size) : "–");
       const place = places[i];
-      if (place) place.textContent = figure?.time != null ? `t = ${written(figure.time / second)} ${time.unit}` : "–";
+      if (place) write(place, figure?.time != null ? `t = ${sixDigits(figure.time / second)} ${time.unit}` : "–");
       const was = before[label];
       if (figure && was && values[i]) {
         const change = shown((figure.value - was.value) / measure.size, true);
         const original = shown(was.value / measure.size);
         const text = filled(say("live.original"), { value: original, change });
         const note = values[i]!.nextElementSibling;
-        if (note?.classList.contains("was")) note.textContent = text;
+        if (note?.classList.contains("was")) write(note, text);
         else values[i]!.after(html("span", { class: "note was" }, null, text));
       }
     });
     const grade = isLive(measure) ? say("live.sampled") : say("live.not_computed");
-    for (const note of line.querySelectorAll<HTMLElement>(".grade")) note.textContent = grade;
+    for (const note of line.querySelectorAll<HTMLElement>(".grade")) write(note, grade);
     if (!measure.requirement) return null;
     const verdict = met(measure.requirement, found, rowsOf(live.motion));
     const place = line.querySelector<HTMLElement>(".mark");
@@ -89,8 +95,8 @@ export function measured(live: LiveModel, say: Say, time: Pick<TimeAxis, "unit">
 function mark(place: HTMLElement, good: boolean, text: string): void {
   place.classList.toggle("ok", good);
   place.classList.toggle("bad", !good);
-  place.textContent = `${good ? "✓" : "✗"} ${text}`;
+  write(place, `${good ? "✓" : "✗"} ${text}`);
 }
 
 const shown = (value: number, signed = false): string =>
-  `${signed && value > 0 ? "+" : ""}${written(value)}`.replace("-", "−");
+  `${signed && value > 0 ? "+" : ""}${sixDigits(value)}`.replace("-", "−");

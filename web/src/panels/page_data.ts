@@ -3,6 +3,7 @@
 import type { LiveData } from "../live/live_data.ts";
 import type { LiveMeasure, LiveNumber, LiveRow } from "../measures/measure.ts";
 import type { Plot, Scene, Texts, TimeAxis } from "../scene/data.ts";
+import type { RawCharts } from "../plots/study_raw.ts";
 import { found } from "./found.ts";
 
 export interface PageData {
@@ -25,6 +26,8 @@ export interface PageWords {
   readonly label: string;
   readonly label_unit: string;
   readonly areas: readonly string[];
+  /** By the key of a study's chart its title, then its texts. */
+  readonly charts: Readonly<Record<string, readonly string[]>>;
   /** The kinds of elements in words. */
   readonly kinds: Readonly<Record<string, string>>;
   /** How a column of times is called in files. */
@@ -54,6 +57,9 @@ export function pageData(words: PageWords): PageData {
     ...(data ? { live: data } : {}),
   };
 }
+
+/** The charts of studies, on a page that has some. */
+export const chartData = (): RawCharts => read("#charts") as RawCharts;
 
 /** Lists in which few values recur have these, and the number of each entry's. */
 interface List<T> {

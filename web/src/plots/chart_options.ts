@@ -1,10 +1,12 @@
 // How a plot looks, on the screen and, enlarged for its finer dots, on paper.
 
 import uPlot from "uplot";
-import { type Curves, limits, sideExtent } from "./curves.ts";
-import { tick } from "./figure.ts";
-import { clipped, trace } from "./traces.ts";
-import { type Colour, colourName, dash } from "./looks.ts";
+import { type Curve, type Curves, limits, sideExtent } from "./curves.ts";
+import { shortened, tick } from "./figure.ts";
+import { clipped, scaled, trace } from "./traces.ts";
+import { type Colour, colourOf, dashOf, faded } from "./looks.ts";
+import "./of_studies.ts";
+import { OPACITY, outline } from "./outline.ts";
 
 const MOUSE = ["mousedown", "mouseup", "mousemove", "mouseleave", "mouseenter", "click", "dblclick"] as const;
 const FONTS =
@@ -32,7 +34,7 @@ export const chartKey = ({ curves, units, x }: Curves): string =>
   JSON.stringify([x.label, units, ...curves.map(({ name, right }) => [name, right])]);
 
 export function chartOptions(shown: Shown, colour: Colour, { width, height, scale = 1 }: ChartSize): uPlot.Options {
-  const { curves, units, x } = shown.curves;
+  const { curves, units, x, names, vertical: called } = shown.curves;
   const font = `${11 * scale}px ${FONTS}`;
   const axis: uPlot.Axis = {
     font,
@@ -49,8 +51,11 @@ export function chartOptions(shown: Shown, colour: Colour, { width, height, scal
     const ends = sideExtent(shown.curves, right, shown.window, (i) => u.series[i + 1]?.show !== false);
     return ends ? uPlot.rangeNum(...limits(...ends), 0.08, true) : [-1, 1];
   };
-  const unitLabel = (i: number): Partial<uPlot.Axis> =>
-    units.length > 1 ? { label: units[i]!, labelSize: 15 * scale, labelGap: 0 } : {};
+  const unitLabel = (i: number): Partial<uPlot.Axis> => {
+    const label = called ?? (units.length > 1 ? units[i] : "");
+    return label ? { label, labelSize: 15 * scale, labelGap: 0 } : {};
+  };
+  const horizontal = { ...axis, ...(!globalThis.WITHOUT_STUDIES ? below(names) : {}), label: x.label };
   const vertical = { ...axis, space: 25 * scale, size: longest };
   const other: uPlot.Axis = { ...vertical, ...unitLabel(1), scale: "right", side: 1, grid: { show: false } };
   return {
@@ -72,7 +77,7 @@ export function chartOptions(shown: Shown, colour: Colour, { width, height, scal
       ...(units.length > 1 ? { right: { range: side(true) } } : {}),
     },
     axes: [
-      { ...axis, space: 46 * scale, size: 22 * scale, labelSize: 16 * scale, labelGap: 0, label: x.label },
+      { ...horizontal, space: 46 * scale, size: 22 * scale, labelSize: 16 * scale, labelGap: 0 },
       { ...vertical, ...unitLabel(0) },
       ...(units.length > 1 ? [other] : []),
     ],
@@ -83,17 +88,45 @@ export function chartOptions(shown: Shown, colour: Colour, { width, height, scal
         (curve, i): uPlot.Series => ({
           label: curve.name,
           scale: curve.right ? "right" : "y",
-          stroke: () => colour(colourName(i)),
+          stroke: () => colour(colourOf(curve, i)),
           width: 1.7 * scale,
           pxAlign: 0,
-          dash: dash(i).map((part) => part * scale),
-          points: { show: x.values.length < 2 },
+          dash: dashOf(curve, i).map((part) => part * scale),
+          points: { show: x.values.length < 2 && !curve.look },
           ...(x.ascends ? {} : { paths: overAxis(shown) }),
+          ...(!globalThis.WITHOUT_STUDIES && filled(curve) ? filledLook(shown, i, colour, scale) : {}),
         }),
       ),
     ],
   };
 }
+
+/** Names in place of numbers, as long as there is room for them. */
+const below = (names: readonly string[] | undefined): Partial<uPlot.Axis> =>
+  names
+    ? {
+        splits: () => names.map((_, i) => i + 0.5),
+        grid: { show: false },
+        values: ({ bbox }) => names.map((name) => shortened(name, bbox.width / devicePixelRatio / names.length / 7)),
+      }
+    : {};
+
+const filled = ({ look }: Curve): boolean => look !== undefined && look.kind !== "line";
+
+/** A look that is filled. */
+const filledLook = (shown: Shown, i: number, colour: Colour, scale: number): Partial<uPlot.Series> => ({
+  width: 0,
+  fill: () => {
+    const curve = shown.curves.curves[i]!;
+    return faded(colour(colourOf(curve, i)), OPACITY[curve.look!.kind]);
+  },
+  paths: (u) => {
+    const { curves, x } = shown.curves;
+    const { look, values, right } = curves[i]!;
+    const [across, up] = [scaled(u, "x"), scaled(u, right ? "right" : "y")];
+    return { stroke: null, fill: new Path2D(outline(look!, x.values, values, across, up, scale * devicePixelRatio)) };
+  },
+});
 
 /** Curves over values that go up and down, in the order of the samples. */
 const overAxis =

@@ -1,8 +1,10 @@
 // A plot as an SVG file: title, axes, curves, marks, legend. It is also what its PNG is made of.
 
 import { type Curve, type Curves, limits, sideExtent } from "./curves.ts";
-import { tick } from "./figure.ts";
-import { colourName, dash } from "./looks.ts";
+import { shortened, tick } from "./figure.ts";
+import { colourName, colourOf, dashOf } from "./looks.ts";
+import "./of_studies.ts";
+import { OPACITY, outline } from "./outline.ts";
 import { polarSvg } from "./polar.ts";
 import { element, escaped, pathOf, type Sheet, text } from "./svg_parts.ts";
 import { ticks } from "./ticks.ts";
@@ -28,7 +30,7 @@ export function chartSvg(curves: Curves, options: PictureOptions): string {
   const polar = curves.vectors.length > 0;
   const names = (polar ? curves.vectors : curves.curves).map(({ name }, i) => {
     const unit = curves.units.length > 1 ? ` ${(curves.curves[i] as Curve).unit}` : "";
-    return { i, label: name + unit };
+    return { i, label: name + unit, curve: polar ? {} : curves.curves[i]! };
   });
   const entries = names.filter(({ i }) => polar || shown(i));
   const rows = legendRows(entries, width);
@@ -45,8 +47,8 @@ export function chartSvg(curves: Curves, options: PictureOptions): string {
   } else out += `<g transform="translate(0 ${top})">${axes(curves, options)}</g>`;
   rows.forEach((row, r) => {
     const y = top + height + r * LINE + 10;
-    for (const { i, label, x } of row) {
-      out += element("path", { d: `M${x} ${y - 4}h26`, ...line(i, colour), "stroke-width": 2 });
+    for (const { i, label, curve, x } of row) {
+      out += swatch(curve, i, x, y - 4, colour);
       out += text(label, { x: x + 32, y, "font-size": 11, fill: colour("ink") });
     }
   });
@@ -78,11 +80,16 @@ function axes(curves: Curves, { width, height, colour, window, shown }: PictureO
   const small = { "font-size": 11, fill: colour("muted") };
   const muted = colour("muted");
   let out = "";
-  for (const value of ticks(window[0], window[1], Math.max(2, Math.round((right - left) / 70)))) {
+  const { names } = curves;
+  for (const value of names ? [] : ticks(window[0], window[1], Math.max(2, Math.round((right - left) / 70)))) {
     const x = across(value).toFixed(2);
     out += element("path", { d: `M${x} 6V${bottom}`, stroke: colour("grid") });
     out += text(tick(value), { x, y: bottom + 14, "text-anchor": "middle", ...small });
   }
+  if (!globalThis.WITHOUT_STUDIES) names?.forEach((name, i) => {
+    const label = shortened(name, (right - left) / names.length / LETTER);
+    out += text(label, { x: across(i + 0.5).toFixed(2), y: bottom + 14, "text-anchor": "middle", ...small });
+  });
   marks.forEach((each, i) => {
     for (const value of each) {
       const y = up(i)(value);
@@ -105,6 +112,13 @@ function axes(curves: Curves, { width, height, colour, window, shown }: PictureO
     const place = { x: right - 4, y: (y - 4).toFixed(2), "text-anchor": "end" };
     inside += text(label, { ...place, "font-size": 11, fill: colour("warn") });
   }
+  if (!globalThis.WITHOUT_STUDIES) curves.uprights?.forEach(({ value, text: label }, i) => {
+    const x = across(value);
+    inside += element("path", { d: `M${x.toFixed(2)} 6V${bottom}`, stroke: colour("warn"), "stroke-dasharray": "6 4" });
+    const late = x > (left + right) / 2;
+    const place = { x: (x + (late ? -4 : 4)).toFixed(2), y: 16 + 14 * i, "text-anchor": late ? "end" : "start" };
+    inside += text(label, { ...place, "font-size": 11, fill: colour("warn") });
+  });
   const drawn = curves.curves.map((curve, i) => ({ curve, i })).filter(({ i }) => shown(i));
   for (const { curve } of drawn) {
     if (!curve.ghost) continue;
@@ -112,8 +126,14 @@ function axes(curves: Curves, { width, height, colour, window, shown }: PictureO
     inside += element("path", { d, stroke: muted, "stroke-dasharray": "4 3", opacity: 0.75 });
   }
   for (const { curve, i } of drawn) {
-    const d = pathOf(curves.x.values, curve.values, across, up(Number(curve.right)));
-    inside += element("path", { d, ...line(i, colour), "stroke-width": 1.7, "stroke-linejoin": "round" });
+    const { look, values } = curve;
+    if (!globalThis.WITHOUT_STUDIES && look && look.kind !== "line") {
+      const d = outline(look, curves.x.values, values, across, up(Number(curve.right)));
+      inside += element("path", { d, fill: colour(colourOf(curve, i)), "fill-opacity": OPACITY[look.kind] });
+      continue;
+    }
+    const d = pathOf(curves.x.values, values, across, up(Number(curve.right)));
+    inside += element("path", { d, ...line(curve, i, colour), "stroke-width": 1.7, "stroke-linejoin": "round" });
   }
   for (const { curve, x, y } of curves.marks) {
     if (!shown(curve)) continue;
@@ -126,13 +146,27 @@ function axes(curves: Curves, { width, height, colour, window, shown }: PictureO
   return `${out}<svg ${area}>${inside}</svg>`;
 }
 
-const line = (i: number, colour: Sheet["colour"]): { stroke: string; "stroke-dasharray": string } => ({
-  stroke: colour(colourName(i)),
-  "stroke-dasharray": dash(i).join(" "),
+type Drawn = Parameters<typeof colourOf>[0];
+
+const line = (curve: Drawn, i: number, colour: Sheet["colour"]): { stroke: string; "stroke-dasharray": string } => ({
+  stroke: colour(colourOf(curve, i)),
+  "stroke-dasharray": dashOf(curve, i).join(" "),
 });
 
+/** What a curve looks like, in the legend. */
+export function swatch(curve: Drawn, i: number, x: number, y: number, colour: Sheet["colour"]): string {
+  const kind = curve.look?.kind ?? "line";
+  if (globalThis.WITHOUT_STUDIES || kind === "line") {
+    return element("path", { d: `M${x} ${y}h26`, ...line(curve, i, colour), "stroke-width": 2 });
+  }
+  const fill = { fill: colour(colourOf(curve, i)), "fill-opacity": OPACITY[kind] };
+  return kind === "dots"
+    ? element("circle", { cx: x + 13, cy: y, r: 3, ...fill })
+    : element("rect", { x, y: y - 4, width: 26, height: 8, ...fill });
+}
+
 /** Entries of a legend in rows of a width. */
-function legendRows<E extends { readonly label: string }>(
+export function legendRows<E extends { readonly label: string }>(
   entries: readonly E[],
   width: number,
 ): (E & { x: number })[][] {

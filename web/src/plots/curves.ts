@@ -4,6 +4,8 @@ import { known, type Values } from "../scene/data.ts";
 import { locate } from "../scene/times.ts";
 import { type Choice, unitsOf, viewOf } from "./choice.ts";
 import { extent, monotonePieces, type Piece } from "./monotone.ts";
+import "./of_studies.ts";
+import type { Look } from "./outline.ts";
 import type { Level, Place, Signals } from "./signals.ts";
 import { magnitudes, vectorName } from "./vectors.ts";
 
@@ -30,6 +32,8 @@ export interface Curve {
   readonly right: boolean;
   readonly values: Values;
   readonly ghost: Values | null;
+  /** A curve without it is a line of its number's colour. */
+  readonly look?: Look;
 }
 
 /** A vector over time, of a polar plot. */
@@ -57,6 +61,11 @@ export interface Curves {
   readonly vectors: readonly Vector[];
   readonly levels: readonly (Level & { readonly right: boolean })[];
   readonly marks: readonly Mark[];
+  /** Limits on the horizontal axis, and names that stand below it in place of numbers, at 0.5, 1.5 and so on. */
+  readonly uprights?: readonly Level[];
+  readonly names?: readonly string[];
+  /** How the vertical axis is called, where the title doesn't say it. */
+  readonly vertical?: string;
 }
 
 /** The axis of times, whose name in files is `name`. */
@@ -167,7 +176,8 @@ export function sideExtent(
   const seen = curves.flatMap((curve, i) => {
     if (curve.right !== right || !shown(i)) return [];
     const ghost = curve.ghost && within(x.ghost ?? x.values, curve.ghost);
-    return [within(x.values, curve.values), ghost].filter((each) => each !== null);
+    const lower = !globalThis.WITHOUT_STUDIES ? lowerEnd(curve, (low) => within(x.values, low)) : null;
+    return [within(x.values, curve.values), ghost, lower].filter((each) => each !== null);
   });
   if (!seen.length) return null;
   let [low, high] = [Math.min(...seen.map(([a]) => a)), Math.max(...seen.map(([, b]) => b))];
@@ -178,6 +188,12 @@ export function sideExtent(
     [low, high] = [Math.min(low, value), Math.max(high, value)];
   }
   return [low, high];
+}
+
+/** The other end of what is filled: of a band, of bars. */
+function lowerEnd<E>({ look }: Curve, within: (low: Values) => E): E | readonly [number, number] | null {
+  if (look?.low) return within(look.low);
+  return look?.edges ? [0, 0] : null;
 }
 
 const extents = new WeakMap<Values, readonly [number, number] | null>();

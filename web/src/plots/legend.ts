@@ -1,12 +1,15 @@
 // One button per curve: shows its line and its value at the cursor, and hides or shows it.
 
 import { html, svg } from "../drawing/elements.ts";
-import { colourName, dash } from "./looks.ts";
+import { colourOf, dashOf } from "./looks.ts";
+import "./of_studies.ts";
+import { type Look, OPACITY } from "./outline.ts";
 
 export interface Entry {
   readonly name: string;
   /** Of a plot with two units. */
   readonly unit: string;
+  readonly look?: Look | undefined;
 }
 
 export interface LegendOptions {
@@ -23,10 +26,11 @@ export function legend(
   { toggle, remove }: LegendOptions,
 ): HTMLOutputElement[] {
   box.replaceChildren();
-  return entries.map(({ name, unit }, i) => {
+  return entries.map((entry, i) => {
+    const { name, unit } = entry;
     const item = html("span", { class: "entry" }, box);
     const button = html("button", { type: "button", "aria-pressed": "true" }, item);
-    button.append(swatch(i));
+    button.append(swatch(entry, i));
     html("span", {}, button, name);
     const value = html("output", { "aria-live": "off" }, button);
     if (unit) html("span", { class: "unit" }, button, unit);
@@ -45,9 +49,18 @@ export function legend(
   });
 }
 
-function swatch(i: number): SVGSVGElement {
+/** What a curve looks like, in small. */
+export function swatch(entry: Pick<Entry, "look">, i: number): SVGSVGElement {
+  const { look } = entry;
   const drawing = svg("svg", { viewBox: "0 0 26 8", "aria-hidden": "true" });
-  const line = svg("path", { d: "M0 4H26", "stroke-dasharray": dash(i).join(" ") }, drawing);
-  line.style.stroke = `var(--lw-${colourName(i)})`;
+  const colour = `var(--lw-${colourOf(entry, i)})`;
+  if (!globalThis.WITHOUT_STUDIES && look && look.kind !== "line") {
+    const place = look.kind === "dots" ? "M13 1a3 3 0 1 0 .01 0Z" : "M0 0H26V8H0Z";
+    const shape = svg("path", { d: place, class: "filled", opacity: OPACITY[look.kind] }, drawing);
+    shape.style.fill = colour;
+    return drawing;
+  }
+  const line = svg("path", { d: "M0 4H26", "stroke-dasharray": dashOf(entry, i).join(" ") }, drawing);
+  line.style.stroke = colour;
   return drawing;
 }

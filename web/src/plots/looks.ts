@@ -1,6 +1,7 @@
 // Lines that are told apart in light, in dark and in black and white.
 
 import { html } from "../drawing/elements.ts";
+import type { Look } from "./outline.ts";
 
 const DASHES = [[], [7, 3], [2, 3], [10, 3, 2, 3], [5, 2, 1, 2, 1, 2]] as const;
 const COLOURS = 8;
@@ -10,6 +11,16 @@ export const dash = (i: number): readonly number[] => DASHES[i % DASHES.length]!
 
 /** The name of the i-th curve's colour among those of drawings. */
 export const colourName = (i: number): string => `c${i % COLOURS}`;
+
+type Drawn = { readonly look?: Look | undefined };
+
+/** The colour's name and the dashes of a curve: those of its look, else of its number. */
+export const colourOf = ({ look }: Drawn, i: number): string => look?.colour ?? colourName(i);
+export const dashOf = ({ look }: Drawn, i: number): readonly number[] => dash(look?.dash ?? i);
+
+/** A colour #rrggbb with an opacity. */
+export const faded = (colour: string, opacity: number): string =>
+  opacity < 1 && colour.length === 7 ? colour + Math.round(255 * opacity).toString(16).padStart(2, "0") : colour;
 
 /** A colour of drawings by its name, as it is at the moment. */
 export type Colour = (name: string) => string;

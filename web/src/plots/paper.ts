@@ -4,7 +4,8 @@ import uPlot from "uplot";
 import { html } from "../drawing/elements.ts";
 import { chartOptions, columns } from "./chart_options.ts";
 import type { Curves } from "./curves.ts";
-import { type Colour, colourName } from "./looks.ts";
+import { type Colour, colourOf } from "./looks.ts";
+import "./of_studies.ts";
 import { polarSvg } from "./polar.ts";
 import { clipped } from "./traces.ts";
 
@@ -42,7 +43,7 @@ export function paperChart(
 }
 
 /** What the screen has as elements over the curves: limits of requirements and places of measures. */
-function drawMarks(u: uPlot, { curves, levels, marks }: Curves, colour: Colour): void {
+function drawMarks(u: uPlot, { curves, levels, marks, uprights = [] }: Curves, colour: Colour): void {
   const { ctx, bbox } = u;
   const size = PAPER.scale * devicePixelRatio;
   clipped(u, () => {
@@ -56,8 +57,15 @@ function drawMarks(u: uPlot, { curves, levels, marks }: Curves, colour: Colour):
       ctx.stroke(new Path2D(`M${bbox.left} ${y}h${bbox.width}`));
       ctx.fillText(text, bbox.left + bbox.width - 3 * size, y - 3 * size);
     }
+    if (!globalThis.WITHOUT_STUDIES) uprights.forEach(({ value, text }, i) => {
+      const x = u.valToPos(value, "x", true);
+      const late = x > bbox.left + bbox.width / 2;
+      ctx.stroke(new Path2D(`M${x} ${bbox.top}v${bbox.height}`));
+      ctx.textAlign = late ? "right" : "left";
+      ctx.fillText(text, x + (late ? -4 : 4) * size, bbox.top + (12 + 12 * i) * size);
+    });
     for (const { curve, x, y } of marks) {
-      ctx.fillStyle = colour(colourName(curve));
+      ctx.fillStyle = colour(colourOf(curves[curve]!, curve));
       ctx.beginPath();
       ctx.arc(u.valToPos(x, "x", true), u.valToPos(y, curves[curve]!.right ? "right" : "y", true), 3 * size, 0, 7);
       ctx.fill();

@@ -16,6 +16,9 @@ const FILES = ["csv", "png", "svg"] as const;
 /** Signs of buttons, drawn: few fonts have them. */
 const SIGNS = { overlay: "M9 3v12M3 9h12", save: "M9 2v9M5 8l4 4 4-4M3 15h12", remove: "M4 4l10 10M14 4L4 14" };
 
+/** All of it: four corners. */
+export const WHOLE = "M3 7V3h4M11 3h4v4M15 11v4h-4M7 15H3v-4";
+
 export interface ToolsOptions {
   readonly signals: Signals;
   readonly say: Say;
@@ -95,7 +98,8 @@ function folder(head: HTMLElement, card: Card, edited: (choice: Choice) => void)
   return made;
 }
 
-function button(bar: Element, label: string, sign: string): HTMLButtonElement {
+/** A button with a sign; `label` is what it does. */
+export function button(bar: Element, label: string, sign: string): HTMLButtonElement {
   const made = html("button", { type: "button", "aria-label": label, title: label }, bar);
   picture(made, sign);
   return made;
@@ -105,11 +109,17 @@ const picture = (parent: Element, d: string): void => {
   svg("path", { d }, svg("svg", { viewBox: "0 0 18 18", "aria-hidden": "true" }, parent));
 };
 
-function menu(bar: Element, label: string, save: (kind: FileKind) => void): void {
+/** The files of a plot; `kinds` are those that it has. */
+export function menu(
+  bar: Element,
+  label: string,
+  save: (kind: FileKind) => void,
+  kinds: readonly FileKind[] = FILES,
+): void {
   const box = html("details", { class: "menu" }, bar);
   picture(html("summary", { "aria-label": label, title: label }, box), SIGNS.save);
   const list = html("span", {}, box);
-  for (const kind of FILES) {
+  for (const kind of kinds) {
     html("button", { type: "button" }, list, kind.toUpperCase()).addEventListener("click", () => {
       box.open = false;
       save(kind);

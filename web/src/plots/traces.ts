@@ -5,7 +5,7 @@ import { known, type Values } from "../scene/data.ts";
 
 /** A curve of one side of a plot, broken where it has no value. */
 export function trace(u: uPlot, right: boolean, x: Values, y: Values): Path2D {
-  const [across, up] = [line(u, "x"), line(u, right ? "right" : "y")];
+  const [across, up] = [scaled(u, "x"), scaled(u, right ? "right" : "y")];
   const path = new Path2D();
   let broken = true;
   for (let k = 0; k < y.length; k++) {
@@ -33,7 +33,7 @@ export function clipped(u: uPlot, draw: () => void): void {
 }
 
 /** From values of a scale to pixels of the canvas. */
-function line(u: uPlot, scale: string): (value: number) => number {
+export function scaled(u: uPlot, scale: string): (value: number) => number {
   const { min = 0, max = 1 } = u.scales[scale]!;
   const [from, to] = [u.valToPos(min!, scale, true), u.valToPos(max!, scale, true)];
   const per = (to - from) / (max! - min! || 1);

@@ -31,6 +31,13 @@ export interface Lookup {
   integral: boolean;
 }
 
+/** Closed lines on a link: how many, and the inputs of their program at each place of them. */
+export interface Outline {
+  readonly link: string;
+  readonly lines: number;
+  readonly inputs: readonly (readonly number[])[];
+}
+
 /** How many programs there are of each kind, in the order of the array of programs. */
 export type Counts = Record<
   | "derived"
@@ -44,7 +51,8 @@ export type Counts = Record<
   | "nearest"
   | "dragged"
   | "slopes"
-  | "shape",
+  | "shape"
+  | "outlines",
   number
 >;
 

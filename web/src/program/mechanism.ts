@@ -1,7 +1,7 @@
 // A mechanism in the page: from the values of its free parameters to all signals over a grid of times.
 
 import { MAX_TURN, wholeTurns, wrapped } from "./angles.ts";
-import type { Program, ProgramData } from "./data.ts";
+import type { Outline, Program, ProgramData } from "./data.ts";
 import { HigherGroups, PATIENCE } from "./higher_groups.ts";
 import { Pose } from "./pose.ts";
 import { answer } from "./tables.ts";
@@ -128,6 +128,20 @@ export class Mechanism {
     program.parameters(parameters);
     program.pose([], this.shapes);
     return this.shapes;
+  }
+
+  /** The places of closed lines (m), line by line, by their program and its inputs at each place; none where the
+   * parameters don't allow it. */
+  outline(number: number, { lines, inputs }: Outline, parameters: Float64Array): [number, number][][] {
+    const program = this.kinds["outlines"]![number]!;
+    program.parameters(parameters);
+    const out = new Float64Array(2 * lines);
+    const found = Array.from({ length: lines }, (): [number, number][] => []);
+    for (const at of inputs) {
+      program.pose(at, out);
+      found.forEach((line, i) => line.push([out[2 * i]!, out[2 * i + 1]!]));
+    }
+    return found.filter((line) => line.every((at) => at.every((value) => Number.isFinite(value))));
   }
 
   /** The rows of all poses; where dyads of the last motion can't close, those in which they come nearest to it. */

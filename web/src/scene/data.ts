@@ -80,15 +80,16 @@ export interface AreaData {
   readonly rings: readonly (readonly Point[])[];
 }
 
-export type ArrowKind = "velocity" | "acceleration" | "reaction" | "load" | "weight";
+export type ArrowKind = "velocity" | "acceleration" | "reaction" | "load" | "weight" | "moment";
 
-/** An arrow by the labels of the rows of its vector, in `unit`; it begins at a point of a link, or at other rows. */
+/** An arrow by the labels of the rows of its vector, or of the one of a moment, counter-clockwise positive, in `unit`;
+ * it begins at a point of a link, or at other rows. */
 export interface ArrowData {
   readonly kind: ArrowKind;
-  /** What it belongs to: a point, a reaction, a load, a link. */
+  /** What it belongs to: a point, a reaction, a load, a link, a torque. */
   readonly name: string;
   readonly unit: string;
-  readonly rows: Pair<string>;
+  readonly rows: readonly string[];
   readonly at?: Pair<string>;
   readonly places?: Pair<string>;
 }

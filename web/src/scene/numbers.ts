@@ -1,5 +1,8 @@
 // Small tools for numbers.
 
+/** A value as it is shown: six significant digits. */
+export const sixDigits = (value: number): string => String(Number(value.toPrecision(6)));
+
 export const clamp = (value: number, low: number, high: number): number =>
   Math.min(Math.max(value, low), high);
 

@@ -22,8 +22,7 @@ from linkwright.studies.accuracy.tables import deviation, further, moment, overv
 def report(outcome: AccuracyOutcome) -> StudyReport:
     """What was done, a table of all outputs, each output by itself, further tables."""
     outputs = [block for blocks in _outputs(outcome) for block in blocks]
-    legend = Sentences([Said("accuracy.chart.legend")] if outputs else [], note=True, detail=True)
-    blocks = [Sentences(sentences(outcome)), *overview(outcome), legend, *outputs, *further(outcome)]
+    blocks = [Sentences(sentences(outcome)), *overview(outcome), *outputs, *further(outcome)]
     return StudyReport([Section("accuracy", blocks)], accuracy_entry(outcome))
 
 

@@ -3,22 +3,22 @@ where over two lengths the limits are kept."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from functools import partial
-from itertools import cycle
 
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.drawing.charts import Axes, named
+from linkwright.drawing.levels import band_stops, levels_of
 from linkwright.expressions import units as u
 from linkwright.findings import Said, Text
 from linkwright.kernels.motions import rate_unit
 from linkwright.presentation.blocks import Chart
+from linkwright.presentation.charts import Axis, Field, Graph, Layer, Limit, Line, Plane, Spots
 from linkwright.studies.cam.outcome import CamOutcome
-from linkwright.studies.cam.picture import picture, tool_path
+from linkwright.studies.cam.picture import picture
 from linkwright.studies.cam.plate import Plate
+from linkwright.studies.cam.tool_path import tool_path
 
 Array = NDArray[np.float64]
 
@@ -35,7 +35,7 @@ def charts(outcome: CamOutcome) -> list[Chart]:
     for plate in outcome.plates:
         if any(not one.proof.faults for one in plate.milled):
             tool = of_disc(Said("cam.chart.tool"), plate.second)
-            made += [Chart(tool, partial(tool_path, outcome, plate)), _error(outcome, plate)]
+            made += [Chart(tool, shown=partial(tool_path, outcome, plate)), _error(outcome, plate)]
     return made
 
 
@@ -59,21 +59,22 @@ def over(
     lines: Sequence[Array],
     limits: Sequence[float] = (),
     theta: Array | None = None,
-    second: bool = False,
+    names: Sequence[Text] = (),
 ) -> Chart:
-    """Lines over the cam angle, limits across; ``second``: the second line is that of a second disc or contact,
-    or of the outer flank."""
+    """Lines over the cam angle, limits across; ``names`` of the lines, by default those of two contacts or flanks where
+    there are two."""
     angle, deg = outcome.compiled.quantities.unit_of(u.ANGLE)
     x = (outcome.first.theta if theta is None else theta) / deg
-    known = np.concatenate([*(line[np.isfinite(line)] for line in lines), np.array([*limits, 0.0])])
-    axes = Axes((0.0, 2 * math.pi / deg), (float(known.min()), float(known.max())), named(Said("cam.angle"), angle))
-    ends = np.array([0.0, 2 * math.pi / deg])
-    shapes = [axes.line(ends, np.full(2, limit), "limit") for limit in limits]
-    kinds = cycle(("mean", "shift" if second else "line"))
-    shapes += [axes.line(x, line, kind) for line, kind in zip(lines, kinds, strict=False)]
-    which = "flank" if outcome.stated.limits.groove else "second"
-    title = named(Said(f"cam.chart.with-{which}", what=name) if second else name, unit)
-    return Chart(title, partial(axes.drawing, shapes, title))
+    which = "flank" if outcome.stated.limits.groove else "contact"
+    both = [Said(f"cam.chart.first-{which}"), Said(f"cam.chart.second-{which}")]
+    called = names or (both if len(lines) > 1 else [name])
+
+    def graph() -> Graph:
+        rows = [Line(each, line, k, dash=k) for k, (each, line) in enumerate(zip(called, lines, strict=True))]
+        across = [Limit(Said("cam.chart.limit"), limit) for limit in limits]
+        return Graph(Axis(Said("cam.angle"), angle), x, Axis(name, unit), rows, across)
+
+    return Chart(name, shown=graph)
 
 
 def _pressure(outcome: CamOutcome) -> Chart:
@@ -81,7 +82,7 @@ def _pressure(outcome: CamOutcome) -> Chart:
     checks = outcome.first.checks
     limits = [c.limit / deg for c in checks if c.name.startswith("pressure") and c.limit is not None]
     lines = [np.abs(np.broadcast_to(p.look.pressure.d[0], p.theta.shape)) / deg for p in outcome.plates]
-    return over(outcome, Said("cam.chart.pressure"), angle, lines, limits, second=len(lines) > 1)
+    return over(outcome, Said("cam.chart.pressure"), angle, lines, limits)
 
 
 def _curvatures(outcome: CamOutcome) -> Iterator[Chart]:
@@ -94,7 +95,7 @@ def _curvatures(outcome: CamOutcome) -> Iterator[Chart]:
             continue
         limits = {size / c.limit for plate in plates for c in plate.checks if c.name == check and c.limit}
         values = [size / plate.look.radius(-plate.disc.follower.radius if own else 0.0) for plate in plates]
-        yield over(outcome, Said(f"cam.chart.{name}"), per, values, sorted(limits), second=len(values) > 1)
+        yield over(outcome, Said(f"cam.chart.{name}"), per, values, sorted(limits))
 
 
 def _error(outcome: CamOutcome, plate: Plate) -> Chart:
@@ -104,17 +105,27 @@ def _error(outcome: CamOutcome, plate: Plate) -> Chart:
     limit = one.job.tolerance / size
     lines = [row / size for row in one.proof.error]
     name = Said("cam.chart.error-groove" if one.job.groove else "cam.chart.error", post=one.post.name)
-    return over(outcome, of_disc(name, plate.second), unit, lines, (-limit, limit), one.proof.theta)
+    sides = ("inner-bottom", "inner-top", "outer-bottom", "outer-top") if one.job.groove else ("bottom", "top")
+    names = [Said(f"cam.chart.{side}") for side in sides]
+    return over(outcome, of_disc(name, plate.second), unit, lines, (-limit, limit), one.proof.theta, names)
 
 
 def _map(outcome: CamOutcome) -> Chart:
-    """Where the limits are kept: a dot for each pair of lengths."""
+    """The margins of the limits over two lengths, in per cent; at zero they are just kept."""
     found = outcome.map
     assert found is not None
     unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
-    x, y = np.meshgrid(found.first / size, found.second / size)
-    axes = Axes((float(x.min()), float(x.max())), (float(y.min()), float(y.max())), named(Said("cam.base"), unit))
-    kept = found.margins >= 0
-    shapes = [*axes.dots(x[kept], y[kept], 5.0), *axes.dots(x[~kept], y[~kept], 2.0, "limit")]
-    title = Said("cam.chart.map", name=found.names[1], unit=unit)
-    return Chart(title, partial(axes.drawing, shapes, title))
+    margins = np.where(np.isfinite(found.margins), 100 * found.margins, np.nan)
+    x, y = found.first / size, found.second / size
+
+    def plane() -> Plane:
+        levels = levels_of(margins)
+        kept = [Limit(Said("cam.chart.limit"), 0.0)]
+        axis = Axis(Said("cam.chart.margin"), "%")
+        layers: list[Layer] = [Field(axis, x, y, margins, levels, band_stops(len(levels) + 1), kept, family=True)]
+        rows, columns = np.nonzero(np.isnan(margins))
+        if rows.size:
+            layers.append(Spots(Said("cam.chart.nowhere"), x[columns], y[rows], colour="muted", cross=True))
+        return Plane(Axis(Said("cam.base"), unit), Axis(found.names[1], unit), layers, equal=False)
+
+    return Chart(Said("cam.chart.map", name=found.names[1]), shown=plane)

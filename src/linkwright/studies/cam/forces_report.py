@@ -82,7 +82,7 @@ def force_charts(outcome: CamOutcome) -> Iterator[Chart]:
     def chart(name: str, dimension: u.Dimension, lines: Sequence[Array], limits: Sequence[float]) -> Chart:
         unit, size = outcome.compiled.quantities.unit_of(dimension)
         rows, across = [line / size for line in lines], [limit / size for limit in limits]
-        return over(outcome, Said(f"cam.chart.{name}"), unit, rows, across, forces.theta, len(rows) > 1)
+        return over(outcome, Said(f"cam.chart.{name}"), unit, rows, across, forces.theta)
 
     first = forces.values(forces.figure()) if asked.second is None else forces.contact
     second = [] if asked.second is None else [forces.contact_second]

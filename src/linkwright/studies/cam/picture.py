@@ -10,23 +10,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.cam.disc import DiscJets
-from linkwright.cam.nc.swept import ROUGH
-from linkwright.cam.nc.track import chains, pieces
-from linkwright.drawing.charts import points, thinned
+from linkwright.drawing.charts import points
 from linkwright.drawing.plane import LEFT, TOP, PicturePlane
 from linkwright.escape import markup
 from linkwright.expressions import units as u
 from linkwright.findings import Said, Text
 from linkwright.presentation.lettering import FONT
 from linkwright.studies.cam.outcome import CamOutcome
-from linkwright.studies.cam.plate import Plate
 
 Array = NDArray[np.float64]
 
 FRAMES = 120
 SECONDS = 6
-MOST = 1500
-"""Points of a line of the cutter's path."""
 STYLE = f"""
 .still.cam text {{ font: 12px {FONT}; }}
 .still.cam .grid {{ fill: none; stroke: #8886; stroke-width: 0.5; }}
@@ -36,7 +31,6 @@ STYLE = f"""
 .still.cam .base {{ fill: none; stroke: #888; stroke-width: 1; stroke-dasharray: 2 3; }}
 .still.cam .follower {{ fill: none; stroke: #c2571a; stroke-width: 2; }}
 .still.cam .flank {{ fill: none; stroke: #1f6fb5; stroke-width: 2; }}
-.still.cam .tool {{ fill: none; stroke: #8a4fb5; stroke-width: 1.2; }}
 .still.cam .worst {{ fill: #c8102e; stroke: none; }}
 """
 
@@ -196,30 +190,6 @@ def _animation(kind: str, values: str) -> str:
     )
 
 
-def tool_path(outcome: CamOutcome, plate: Plate) -> str:
-    """The path of the cutter's centre at full depth, read back from the first file, around the profile, or between the
-    flanks of a groove."""
-    size = outcome.compiled.quantities.unit_of(u.LENGTH)[1]
-    one = plate.milled[0]
-    deepest = min(move.end[2] for move in one.proof.moves)
-    cutting = [m for m in one.proof.moves if m.feed is not None and max(m.start[2], m.end[2]) <= deepest + 1e-6]
-    lines = [line[thinned(len(line), MOST)].T / 1e3 for line in chains(pieces(cutting, one.job.cutter), ROUGH)]
-    kinds = {"profile": -1} | ({"flank": 1} if one.job.groove else {})
-    curves = {kind: plate.look.offset(side * plate.disc.follower.radius) for kind, side in kinds.items()}
-    every = np.concatenate([*lines, *curves.values()], axis=1)
-    low, high = every.min(axis=1) / size, every.max(axis=1) / size
-    plane = PicturePlane((low[0], low[1], high[0], high[1]), outcome.compiled.quantities.unit_of(u.LENGTH)[0])
-    shapes = "".join(
-        f'<polygon class="{kind}" points="{points(*plane.to_picture(*(curve / size)))}"/>'
-        for kind, curve in curves.items()
-    )
-    shapes += "".join(
-        f'<polyline class="tool" points="{points(*plane.to_picture(*(line / size)))}"/>' for line in lines
-    )
-    legend: list[tuple[str, Text]] = [(kind, Said(f"cam.kind.{kind}")) for kind in (*curves, "tool")]
-    return picture_svg(plane, shapes, legend, Said("cam.chart.tool"))
-
-
 def picture_svg(plane: PicturePlane, shapes: str, legend: Sequence[tuple[str, Text]], title: Text) -> str:
     """The whole picture with its legend below."""
     top = plane.bottom + 44.0
@@ -230,6 +200,7 @@ def picture_svg(plane: PicturePlane, shapes: str, legend: Sequence[tuple[str, Te
     )
     wide, high = plane.right + 12, top + 17 * len(legend)
     return (
-        f'<svg class="lw still cam" viewBox="0 0 {wide:.0f} {high:.0f}" role="img" aria-label="{markup(title)}">'
+        f'<svg class="lw still cam" viewBox="0 0 {wide:.0f} {high:.0f}" data-plane="{plane.stated}" role="img" '
+        f'aria-label="{markup(title)}">'
         f"<style>{STYLE}</style>{plane.grid()}{shapes}{rows}</svg>"
     )

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from linkwright.findings import Said, Text
-from linkwright.presentation.blocks import Block, Charts, Section, Sentences, StudyReport, Table, table
+from linkwright.presentation.blocks import Block, Section, Sentences, StudyReport, Table, table
 from linkwright.presentation.cells import NumberCell, Numbers, Unit, percent
 from linkwright.presentation.json_numbers import known
 from linkwright.studies.shares import CONFIDENCE
@@ -85,8 +85,7 @@ def _band(outcome: SweepOutcome, text: str) -> dict[str, Any]:
 def report(outcome: SweepOutcome) -> StudyReport:
     """What was done, what came out, and its charts."""
     drawn, summary = charts(outcome), sweep_entry(outcome)
-    legend = Sentences([Said("sweep.chart.legend")] if drawn else [], note=True, detail=True)
-    blocks: list[Block] = [Sentences([sentence(outcome)]), *tables(outcome, summary["sweep"]), legend, Charts(drawn)]
+    blocks: list[Block] = [Sentences([sentence(outcome)]), *tables(outcome, summary["sweep"]), *drawn]
     return StudyReport([Section("sweep", blocks)], summary)
 
 

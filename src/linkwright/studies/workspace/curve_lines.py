@@ -5,15 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 import numpy as np
+from numpy.typing import NDArray
 
 from linkwright.drawing.charts import points
 from linkwright.drawing.plane import PicturePlane
 from linkwright.studies.workspace.curves import Segments
 from linkwright.studies.workspace.sheet import ModeSheet
 
+Array = NDArray[np.float64]
 
-def lines(sheet: ModeSheet, segments: Iterable[Segments], kind: str, plane: PicturePlane, size: float) -> Iterator[str]:
-    """The curves of a kind, joined and thinned."""
+
+def places(sheet: ModeSheet, segments: Iterable[Segments], kind: str, fine: float, size: float) -> Iterator[Array]:
+    """The curves of a kind as lines (2, n) in units of ``size`` m, joined, thinned within ``fine`` (m)."""
     import shapely
 
     for one in segments:
@@ -23,6 +26,12 @@ def lines(sheet: ModeSheet, segments: Iterable[Segments], kind: str, plane: Pict
         kept = np.isfinite(ends).all(axis=(0, 1)) & (ends[:, 0] != ends[:, 1]).any(axis=0)
         lines = shapely.linestrings(np.moveaxis(ends[:, :, kept], (0, 1, 2), (2, 1, 0)))
         merged = shapely.line_merge(shapely.multilinestrings(shapely.set_precision(lines, 1e-9 * size)))
-        for line in shapely.get_parts(shapely.simplify(merged, 0.1 / plane.scale * size)):
+        for line in shapely.get_parts(shapely.simplify(merged, fine)):
             if not line.is_empty:
-                yield points(*plane.to_picture(*(np.array(line.coords).T / size)))
+                yield np.array(line.coords).T / size
+
+
+def lines(sheet: ModeSheet, segments: Iterable[Segments], kind: str, plane: PicturePlane, size: float) -> Iterator[str]:
+    """The same in a picture, as its SVG has them."""
+    for line in places(sheet, segments, kind, 0.1 / plane.scale * size, size):
+        yield points(*plane.to_picture(*line))

@@ -9,7 +9,8 @@ from zlib import crc32
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.drawing.charts import points, ticks
+from linkwright.drawing.charts import points
+from linkwright.drawing.levels import band_colours
 from linkwright.drawing.plane import LEFT, WIDTH, PicturePlane, framed, heading
 from linkwright.drawing.png import png
 from linkwright.findings import Text
@@ -18,48 +19,22 @@ from linkwright.studies.workspace.mesh import halves
 
 Array = NDArray[np.float64]
 
-COLOURS = np.array(
-    [[68, 1, 84], [65, 68, 135], [42, 120, 142], [34, 168, 132], [122, 209, 81], [253, 231, 37]], dtype=float
-)
-"""From least to greatest: viridis, which is told apart in grey and by the colour-blind."""
 FINER = 3
 """Pixels of a picture for each place of a grid, and direction."""
 INSIDE = 4.0
 """A line's value stands where it is so many places away from the edge, at least."""
 APART = 30.0
 """Such values are so far apart, in the picture."""
-MOST_LEVELS = 10
 BEYOND = 3.0
 """Lines go on so many places beyond the edge, where they are cut off."""
 SHORT = 24
 """A line through fewer places has no value written to it."""
-EVEN = 8.0
-"""A map whose values are all within this factor has even levels."""
 STYLE = """
 .still.workspace .line { fill: none; stroke: #000; stroke-opacity: 0.55; stroke-width: 0.8; }
 .still.workspace .value { font-size: 11px; fill: #000; stroke: #fff; stroke-width: 2.5px; paint-order: stroke; }
 .still.workspace .locus, .still.workspace .part { fill: none; stroke: #d1242f; stroke-width: 1.8; }
 .still.workspace .p-precise { stroke-dasharray: 6 3; }
 """
-
-
-def levels_of(values: Array) -> list[float]:
-    """Round values between which a map's lie, but for the outermost hundredths."""
-    known = values[np.isfinite(values)]
-    if not known.size:
-        return []
-    low, high = np.percentile(known, [1, 99])
-    if not high - low > 1e-9 * max(abs(low), abs(high)):
-        return []
-    if low <= 0 or high / low < EVEN:
-        return [level for level in ticks(float(low), float(high), 7) if low < level < high]
-    decades = 10.0 ** np.arange(np.floor(np.log10(low)), np.ceil(np.log10(high)) + 1)
-    for steps in ((1, 2, 5), (1, 3), (1,)):
-        found = sorted(float(f"{step * decade:.3g}") for step in steps for decade in decades)
-        found = [level for level in found if low < level < high]
-        if len(found) <= MOST_LEVELS:
-            return found
-    return found[:: -(-len(found) // MOST_LEVELS)]
 
 
 def map_picture(
@@ -106,6 +81,17 @@ def map_picture(
     return framed(plane, [*shapes, scale], legend, title, height)
 
 
+def beyond_edge(values: Array) -> Array:
+    """Values that go on a few places beyond the edge, each as the nearest one has it."""
+    from scipy.ndimage import distance_transform_edt
+
+    unknown = np.isnan(values)
+    if unknown.all():
+        return values
+    far, near = distance_transform_edt(unknown, return_indices=True)
+    return np.where(far < BEYOND, values[tuple(near)], np.nan)
+
+
 def _rising(values: Array, levels: Sequence[float]) -> Array:
     """Values so that the levels become 0, 1, 2 and so on, straight between them, and within -1 .. their number; places
     without one have that of the nearest that has."""
@@ -124,7 +110,7 @@ def _bands(plane: PicturePlane, axes: tuple[Array, Array], rising: Array, count:
     """Bands between levels, as an image of few colours."""
     fine = _finer(_finer(rising).T).T
     bands = np.clip(np.floor(fine) + 1, 0, count).astype(np.uint8)
-    data = b64encode(png(bands[::-1], colours(count + 1))).decode()
+    data = b64encode(png(bands[::-1], band_colours(count + 1))).decode()
     half = (axes[0][1] - axes[0][0]) / FINER / 2
     left, top = plane.to_picture(axes[0][0] - half, axes[1][-1] + half)
     right, bottom = plane.to_picture(axes[0][-1] + half, axes[1][0] - half)
@@ -138,13 +124,6 @@ def _finer(values: Array) -> Array:
     low = np.minimum(at.astype(int), len(values) - 2)
     share = (at - low)[:, None]
     return np.asarray((1 - share) * values[low] + share * values[low + 1])
-
-
-def colours(count: int) -> NDArray[np.uint8]:
-    """So many colours, (count, 3)."""
-    at = np.linspace(0, len(COLOURS) - 1, count) if count > 1 else np.array([len(COLOURS) / 2])
-    rows = [np.interp(at, np.arange(len(COLOURS)), row) for row in COLOURS.T]
-    return np.stack(rows, axis=1).round().astype(np.uint8)
 
 
 def _lines(plane: PicturePlane, axes: tuple[Array, Array], values: Array) -> Iterator[tuple[Array, Array]]:
@@ -170,7 +149,7 @@ def _scale(plane: PicturePlane, levels: Sequence[float], name: Text) -> tuple[st
     made, top = heading(name, plane.bottom + 56)
     top += 6
     wide = min((WIDTH - LEFT - 20) / (len(levels) + 1), 70.0)
-    for k, (red, green, blue) in enumerate(colours(len(levels) + 1).tolist()):
+    for k, (red, green, blue) in enumerate(band_colours(len(levels) + 1).tolist()):
         place = f'x="{LEFT + k * wide:.1f}" y="{top:.0f}" width="{wide:.1f}" height="12"'
         made += f'<rect {place} fill="rgb({red},{green},{blue})"/>'
     for k, level in enumerate(levels, start=1):

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.drawing.charts import named
+from linkwright.drawing.levels import band_stops, levels_of
 from linkwright.drawing.plane import PicturePlane, framed_box, outline
 from linkwright.drawing.tiled import tiled
 from linkwright.expressions import units as u
@@ -17,11 +18,13 @@ from linkwright.findings import CLAUSES, Joined, Said, Text
 from linkwright.model.csv_text import cell, head, table_text
 from linkwright.presentation.blocks import Chart, Table, table
 from linkwright.presentation.cells import UNKNOWN, Cell, NumberCell, Numbers, Unit, numbers, percent
+from linkwright.presentation.charts import Axis, Field, Layer, Lines, Plane
 from linkwright.studies.workspace.curve_lines import lines
 from linkwright.studies.workspace.errors_outcome import ErrorsPart, RegionErrors
-from linkwright.studies.workspace.map_picture import levels_of, map_picture
+from linkwright.studies.workspace.map_picture import beyond_edge, map_picture
 from linkwright.studies.workspace.mapped_regions import RegionMaps
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
+from linkwright.studies.workspace.plane_layers import layers_of
 from linkwright.studies.workspace.quality import better
 from linkwright.studies.workspace.quality_outcome import QualityPart, by_drives, closures
 from linkwright.studies.workspace.raster import raster
@@ -33,6 +36,10 @@ Part = QualityPart | ErrorsPart
 
 CELLS = 160
 """Places of a picture's grid along its longer side."""
+EVERY = 2
+"""A page has every so many of these places in each direction."""
+SINGULAR = ("singular", "modes", "pins")
+"""Kinds of curves that lie over maps."""
 PICTURES = 24
 """The most pictures of a part."""
 ROWS = 5_000
@@ -173,7 +180,8 @@ class _Pictured:
     def __init__(self, part: Part, regions: Sequence[RegionMaps]) -> None:
         self.part, self.steps = part, SliderSteps(part.outcome)
         self.unit, self.size = part.outcome.compiled.quantities.unit_of(u.LENGTH)
-        self.plane = PicturePlane.of(framed_box(one.reached.shape.bounds for one in regions), self.unit, self.size)
+        self.box = framed_box(one.reached.shape.bounds for one in regions)
+        self.plane = PicturePlane.of(self.box, self.unit, self.size)
         self.found = {id(one): raster(one.reached.region, one.maps, CELLS) for one in regions}
         self.levels = {name: self._levels(name, regions) for name in part.shown}
 
@@ -200,7 +208,26 @@ class _Pictured:
             values, levels = self._values(one, name), self.levels[name]
             drawing = partial(map_picture, self.plane, axes, values, levels, shape, over, legend, heading, scale)
             stack = f"{type(self.part).__name__} {name} {one.reached.mode}"
-            yield self.steps.chart(one.workspace, stack, heading, drawing)
+            axis = Axis(title(outcome, name), one.maps.maps[name].unit)
+            yield self.steps.chart(
+                one.workspace, stack, heading, partial(self._plane, one, axes, values, levels, axis), drawing
+            )
+
+    def _plane(
+        self, one: RegionMaps, axes: tuple[Array, Array], values: Array, levels: Sequence[float], axis: Axis
+    ) -> Plane:
+        """A map for a page, of every other place."""
+        of = layers_of(self.part.outcome)
+        rings, (x, y) = of.rings(one.reached.shape), (axis[::EVERY] for axis in axes)
+        some, bands = beyond_edge(values[::EVERY, ::EVERY]), band_stops(len(levels) + 1)
+        layers: list[Layer] = [Field(axis, x, y, some, levels, bands, rings=rings, coarse=True)]
+        if isinstance(one, RegionErrors):
+            for dash, (kind, shape) in enumerate((("guaranteed", one.sure.shape), ("precise", one.sure.precise))):
+                if shape is not None and not shape.is_empty:
+                    layers.append(Lines(Said(f"workspace.kind.{kind}"), of.rings(shape), "warn", dash, 1.8))
+        else:
+            layers += of.loci([one.reached], SINGULAR, "warn")
+        return of.plane(layers, self.box)
 
 
 def _score(part: Part, name: str) -> Callable[[Array], Array]:
@@ -221,7 +248,7 @@ def _over(part: Part, one: RegionMaps, plane: PicturePlane, size: float) -> tupl
         return shapes, legend
     data: dict[str, Text] = {"point": outcome.point, "drives": ", ".join(outcome.compiled.graph.drives)}
     data["groups"] = Joined((group.label for group in outcome.compiled.graph.branched), CLAUSES)
-    for kind in ("singular", "modes", "pins"):
+    for kind in SINGULAR:
         ways = [*lines(region.sheet, region.segments, kind, plane, size)]
         shapes += [f'<polyline class="locus k-{kind}" points="{way}"/>' for way in ways]
         legend += [(f"locus k-{kind}", Said(f"workspace.kind.{kind}", **data))] if ways else []

@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.drawing.charts import LEFT, LETTER, MOST_CHARTS, MOST_POSES, TOP, Axes, named, shortened, thinned
-from linkwright.escape import markup
+from linkwright.drawing.charts import MOST_CHARTS, MOST_POSES, thinned
 from linkwright.expressions import units as u
 from linkwright.findings import CLAUSES, Joined, Said, Text
 from linkwright.presentation.blocks import Chart, Table, table
 from linkwright.presentation.cells import UNKNOWN, Cell, NumberCell, numbers, percent
-from linkwright.presentation.lettering import columns
+from linkwright.presentation.charts import Axis, Graph, Line
 from linkwright.studies.workspace.inverse_kinematics import ServoLaw
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 from linkwright.studies.workspace.overlay import Overlay
@@ -114,20 +112,15 @@ def _charts(part: PathsOutcome, one: Attempt, law: ServoLaw) -> list[Chart]:
         told = [(name, row[some], *units[k][key]) for k, (name, row) in enumerate(zip(law.names, values, strict=True))]
         for unit in dict.fromkeys(entry[2] for entry in told):
             lines = [(name, row / size) for name, row, its, size in told if its == unit]
-            charts.append(_chart(part, law.t[some], named(title, unit), lines))
+            charts.append(_chart(part, law.t[some], title, unit, lines))
     return charts
 
 
-def _chart(part: PathsOutcome, t: Array, title: Text, lines: Sequence[tuple[str, Array]]) -> Chart:
+def _chart(part: PathsOutcome, t: Array, title: Text, unit: str, lines: Sequence[tuple[str, Array]]) -> Chart:
     time_unit, second = part.compiled.quantities.unit_of(u.TIME)
-    every = np.concatenate([row[np.isfinite(row)] for _, row in lines])
-    low, high = (float(every.min()), float(every.max())) if every.size else (0.0, 1.0)
-    axes = Axes((t[0] / second, t[-1] / second), (low, high + 0.12 * (high - low)), named(Said("plot.time"), time_unit))
-    shapes, x = [], LEFT + 4
-    for k, (name, row) in enumerate(lines):
-        text = shortened(name, 16)
-        shapes.append(axes.line(t / second, row, f"line lw-c{k}"))
-        shapes.append(f'<path class="line lw-c{k}" d="M{x:.0f} {TOP + 7:.0f}h10"/>')
-        shapes.append(f'<text x="{x + 13:.0f}" y="{TOP + 11:.0f}">{markup(text)}</text>')
-        x += 20 + LETTER * columns(text)
-    return Chart(title, partial(axes.drawing, shapes, title))
+
+    def graph() -> Graph:
+        rows = [Line(name, row, k, dash=k) for k, (name, row) in enumerate(lines)]
+        return Graph(Axis(Said("plot.time"), time_unit), t / second, Axis(title, unit), rows)
+
+    return Chart(title, shown=graph)

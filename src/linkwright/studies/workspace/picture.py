@@ -13,10 +13,12 @@ from linkwright.drawing.plane import Bounds, PicturePlane, framed, framed_box, o
 from linkwright.expressions import units as u
 from linkwright.findings import CLAUSES, Joined, Said, Text
 from linkwright.presentation.blocks import Area, Chart
+from linkwright.presentation.charts import Plane
 from linkwright.studies.workspace.curve_lines import lines
 from linkwright.studies.workspace.outcome import Workspace, WorkspaceOutcome
 from linkwright.studies.workspace.overlay import Overlay
 from linkwright.studies.workspace.parts_report import section_documents
+from linkwright.studies.workspace.plane_layers import layers_of
 from linkwright.studies.workspace.shapes import pieces
 from linkwright.studies.workspace.steps import SliderSteps
 
@@ -38,8 +40,18 @@ def pictures(outcome: WorkspaceOutcome) -> Sequence[Chart]:
         text = outcome.values_text(one)
         told = Said("workspace.for", values=text) if text else ""
         title = Said("workspace.picture", point=outcome.point, values=told)
-        charts.append(steps.chart(one, "regions", title, partial(picture, outcome, one, title, bounds, over)))
+        shown, drawing = (
+            partial(_plane, outcome, one, bounds, over),
+            partial(picture, outcome, one, title, bounds, over),
+        )
+        charts.append(steps.chart(one, "regions", title, shown, drawing))
     return tuple(charts)
+
+
+def _plane(outcome: WorkspaceOutcome, one: Workspace, box: Bounds, over: Sequence[Overlay]) -> Plane:
+    """The same for a page."""
+    layers = layers_of(outcome)
+    return layers.plane(layers.workspace(one, over), box)
 
 
 def _over(outcome: WorkspaceOutcome, index: int) -> list[Overlay]:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 
 from linkwright.findings import Text
 from linkwright.presentation.blocks import Chart, Slider
+from linkwright.presentation.charts import Plane
 from linkwright.studies.workspace.outcome import Workspace, WorkspaceOutcome, values_text
 
 
@@ -21,9 +22,11 @@ class SliderSteps:
         """The sliders' positions for a workspace."""
         return tuple(some.index(one.values[name]) for name, some in self.values.items())
 
-    def chart(self, one: Workspace, stack: str, title: Text, drawing: Callable[[], str]) -> Chart:
-        """A picture of a workspace, in a stack of such for other values."""
-        return Chart(title, drawing, stack, self.positions(one))
+    def chart(
+        self, one: Workspace, stack: str, title: Text, shown: Callable[[], Plane], drawing: Callable[[], str]
+    ) -> Chart:
+        """A chart of a workspace with its picture for files, in a stack of such for other values."""
+        return Chart(title, drawing, stack, self.positions(one), shown=shown)
 
     def sliders(self) -> Sequence[Slider]:
         """A slider for each parameter; it starts at the file's own value, where that is among them."""

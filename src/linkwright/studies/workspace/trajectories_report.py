@@ -6,7 +6,10 @@ from collections.abc import Iterator, Sequence
 from functools import lru_cache, partial
 from typing import Any
 
+import numpy as np
+
 from linkwright.drawing.charts import named
+from linkwright.drawing.colour_scale import colours
 from linkwright.drawing.plane import Bounds, PicturePlane, framed_box, outline
 from linkwright.drawing.tiled import tiled
 from linkwright.expressions import units as u
@@ -14,14 +17,18 @@ from linkwright.findings import CLAUSES, Joined, Said, Text
 from linkwright.model.csv_text import cell, head, table_text
 from linkwright.presentation.blocks import Chart, Table, table
 from linkwright.presentation.cells import Cell, NumberCell, Unit, numbers
+from linkwright.presentation.charts import Axis, ColouredLines, ColourScale, Layer, Plane
 from linkwright.studies.workspace.curve_lines import lines
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
+from linkwright.studies.workspace.plane_layers import layers_of
 from linkwright.studies.workspace.region_columns import region_cells, region_heads
 from linkwright.studies.workspace.steps import SliderSteps
 from linkwright.studies.workspace.trajectories_outcome import RegionTrajectories, TrajectoriesPart
-from linkwright.studies.workspace.trajectory_picture import ColouredLine, Scale, trajectory_picture
+from linkwright.studies.workspace.trajectory_picture import STOPS, ColouredLine, Scale, trajectory_picture
 
 KINDS = ("singular", "modes", "pins")
+THIN = 2.0
+"""Trajectories of a page, which are many, are thinned to so many steps of its lines."""
 PICTURES = 48
 """The most pictures."""
 
@@ -93,7 +100,29 @@ def _chart(part: TrajectoriesPart, one: RegionTrajectories, box: Bounds, steps: 
     scale = _scale(part, named(Said("trajectories.scale", **data), drive_unit))
     shape = outline(one.reached.shape, plane, size)
     drawing = partial(trajectory_picture, plane, each, scale, shape, over, legend, title)
-    return steps.chart(one.workspace, f"trajectories {one.reached.mode}", title, drawing)
+    name = Said("trajectories.scale", **data)
+    shown = partial(_plane, outcome, one, box, scale, Axis(name, drive_unit), each)
+    return steps.chart(one.workspace, f"trajectories {one.reached.mode}", title, shown, drawing)
+
+
+def _plane(
+    outcome: WorkspaceOutcome,
+    one: RegionTrajectories,
+    box: Bounds,
+    scale: Scale,
+    axis: Axis,
+    each: Sequence[ColouredLine],
+) -> Plane:
+    """The same for a page."""
+    of, shares = layers_of(outcome), np.linspace(0.0, 1.0, STOPS + 1)
+    stops = ColourScale(axis, scale.low, scale.high, colours(shares, scale.turn))
+    lines = [(drawn.value, [of.thin(line * of.size, THIN) for line in drawn.lines]) for drawn in each]
+    layers: list[Layer] = [
+        of.region(one.reached, "muted"),
+        ColouredLines(axis.name, stops, lines),
+        *of.loci([one.reached], KINDS),
+    ]
+    return of.plane(layers, box)
 
 
 def _singular(

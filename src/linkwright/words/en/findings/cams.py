@@ -147,7 +147,8 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "drive.signal": (
         "The law of a drive can't depend on '{name}', which results from the motion.",
-        "Write the law with t, parameters and tables.",
+        "Write the law with t, parameters and tables. A link that is to follow a drive is a joint, e.g. "
+        "'gearbox: {{coupling: [drum, frame], follows: 2*motor.angle + 30 deg}}' under joints.",
     ),
     "drive.linear-table": (
         "The table {table} uses linear interpolation, so the drive's speed would jump at each point.",
@@ -156,6 +157,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     "drive.not-finite": (
         "The {what} of the drive {drive} has no finite value below 1e40 at t = {time:.6g} s.",
         "Check its position for a division by zero, a root of a negative number, or a root at zero.",
+    ),
+    "joint.not-finite": (
+        "The {what} of {name}, which follows {motor}, has no finite value below 1e40 at t = {time:.6g} s.",
+        "Check its expression for a division by zero, a root of a negative number, or a root at zero.",
     ),
     "drive.outside-table": (
         "The drive {drive} evaluates a table at {at:.6g}, outside its range {low:.6g} to {high:.6g} (in SI units: s, "

@@ -57,6 +57,20 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "This kind of joint, {kind}, needs the continuous angle of a link, of which only the direction is known.",
         "Set winds = True in the class of the kind, so that angles are followed over whole turns.",
     ),
+    "joint.coupling-joint": (
+        "{link} isn't connected to {on} by exactly one joint, in which it could follow.",
+        "Connect the two links by one pin, or by one prismatic joint, and write the link that follows first: "
+        "coupling: [{link}, {on}].",
+    ),
+    "joint.coupling-motor": (
+        "'{text}' doesn't name the value of exactly one drive, which the link is to follow.",
+        "{near} Write an expression of one drive's value and of parameters, e.g. follows: 2*motor.angle + 30 deg.",
+    ),
+    "joint.coupling-name": (
+        "'{name}' can't be used in the expression of a coupling.",
+        "Write it in one drive's value, parameters and functions, e.g. follows: 2*motor.angle + 30 deg; a motion law over "
+        "an angle belongs to a cam or to the drive itself.",
+    ),
     "joint.follower-output": (
         "{motor} can't be followed: its law is defined at its output {output}.",
         "Name another drive as the motor, or give {motor} a law of its own.",

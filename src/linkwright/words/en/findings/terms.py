@@ -40,6 +40,7 @@ TERMS: dict[str, str] = {
     "two-links": "[LINK, LINK]",
     "kind-revolute": "pin",
     "kind-prismatic": "prismatic joint",
+    "kind-coupling": "coupling",
     "kind-pin_in_slot": "pin in a slot",
     "kind-cam": "cam",
     "slot-place": "[ALONG, ACROSS]",

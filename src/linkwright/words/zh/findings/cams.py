@@ -138,7 +138,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "drive.signal": (
         "驱动的运动规律不能依赖“{name}”，因为它是运动的结果。",
-        "用 t、参数和表表示运动规律。",
+        "用 t、参数和表表示运动规律。跟随某个驱动的构件用 joints 中的联动定义，例如“gearbox: {{coupling: [drum, frame], follows: 2*motor.angle + 30 deg}}”。",
     ),
     "drive.linear-table": (
         "表 {table} 采用线性插值，驱动的速度会在每个数据点处突变。",
@@ -147,6 +147,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     "drive.not-finite": (
         "驱动 {drive} 的{what}在 t = {time:.6g} s 时不是有限值，或绝对值不小于 1e40。",
         "检查其 position 是否有除以零、负数开方或在零点处开方。",
+    ),
+    "joint.not-finite": (
+        "跟随 {motor} 的 {name} 的{what}在 t = {time:.6g} s 时不是有限值，或绝对值不小于 1e40。",
+        "检查其表达式是否有除以零、负数开方或在零点处开方。",
     ),
     "drive.outside-table": (
         "驱动 {drive} 在 {at:.6g} 处取表的值，超出其范围 {low:.6g} 至 {high:.6g}（SI 单位：s、m、rad）。",

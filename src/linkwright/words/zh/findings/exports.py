@@ -57,6 +57,18 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "该类运动副（{kind}）需要构件的连续转角，而该构件只有方向已知。",
         "在该类运动副的类中设置 winds = True，使转角可连续跟踪多周。",
     ),
+    "joint.coupling-joint": (
+        "{link} 与 {on} 之间不是恰好由一个运动副连接，无法随动。",
+        "用一个转动副或一个移动副连接这两个构件，并把随动的构件写在前面：coupling: [{link}, {on}]。",
+    ),
+    "joint.coupling-motor": (
+        "“{text}”没有恰好引用一个驱动的值作为随动的依据。",
+        "{near}写成一个驱动的值与参数的表达式，例如 follows: 2*motor.angle + 30 deg。",
+    ),
+    "joint.coupling-name": (
+        "联动的表达式中不能使用“{name}”。",
+        "用一个驱动的值、参数和函数写出，例如 follows: 2*motor.angle + 30 deg；以角度为自变量的运动规律用于凸轮或驱动本身。",
+    ),
     "joint.follower-output": (
         "不能以 {motor} 作为从动件的驱动：其运动规律定义在输出 {output} 上。",
         "将 motor 改为其他驱动，或为 {motor} 给出自身的运动规律。",
