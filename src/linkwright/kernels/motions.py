@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import partial
 from math import isfinite, pi
@@ -36,6 +36,7 @@ from linkwright.laws import (
     scca_by_widths,
     series,
 )
+from linkwright.laws.motion import jumping
 from linkwright.laws.numbers import first, off, plain
 from linkwright.model import motions as stated
 from linkwright.model.places import ExpressionPlace, Scope
@@ -43,6 +44,7 @@ from linkwright.model.quantities import Quantities
 from linkwright.model.sampled import names_in
 from linkwright.notation import Jet, Scalar
 from linkwright.notation.duals import Dual, value_of
+from linkwright.notation.jets import symbolic
 
 CLOSE = 1e-9
 """How closely fractions must add up to 1."""
@@ -62,10 +64,16 @@ class StatedMotion(Motion):
     names: frozenset[str] = frozenset()
     nominal: Mapping[str, float] = field(default_factory=dict)
     make: Callable[[Parameters, bool], Motion] | None = None
+    fixed: frozenset[str] = frozenset()
+    """Those of the names that stand in shapes of the law that are no expressions of symbols."""
     _kept: dict[Any, Motion] = field(default_factory=dict, repr=False, compare=False)
 
     def at_parameters(self, parameters: Parameters) -> Motion:
-        """At other parameters; what makes no sense there comes out as it may."""
+        """At other parameters; what makes no sense there comes out as it may. At symbols an expression, in which those
+        that are ``fixed`` are as at the nominal parameters."""
+        if any(symbolic(parameters[name]) for name in self.names - self.fixed):
+            assert self.make is not None
+            return self.make(self._symbols(parameters), False)
         if parameters is self.nominal or all(_same(parameters[name], self.nominal[name]) for name in self.names):
             return self
         key = tuple(_key(parameters[name]) for name in sorted(self.names))
@@ -77,6 +85,9 @@ class StatedMotion(Motion):
                 self._kept.clear()
             self._kept[key] = made
         return made
+
+    def _symbols(self, parameters: Parameters) -> Parameters:
+        return {**parameters, **{name: self.nominal[name] for name in self.fixed}}
 
     def checked(self, parameters: Parameters) -> Motion:
         """At other parameters, all of them floats. Raises :class:`MotionError` where it makes no sense."""
@@ -133,12 +144,38 @@ def motion_laws(quantities: Quantities) -> tuple[dict[str, StatedMotion], list[F
             frozenset(names),
             quantities.parameters,
             partial(_read_motion, quantities, law),
+            frozenset(part for node in fixed_parts(law) for part in names_in(node)) & names,
         )
     return made, findings
 
 
 def _read_motion(quantities: Quantities, law: stated.MotionLaw, parameters: Parameters, checked: bool) -> Motion:
     return MotionReader(quantities, law, parameters).motion(checked)
+
+
+FEW = 9
+"""With so many unknowns at most a polynomial or spline is solved as an expression of the places of its points."""
+
+
+def fixed_parts(law: stated.MotionLaw) -> Iterator[Node]:
+    """The expressions of a law whose numbers aren't replaced by symbols: shapes that are cut, fitted or evaluated on
+    samples to be checked, and places of many points."""
+    for s in law.segments:
+        shape = [*(s.fractions or ()), *filter(None, (s.skew, s.formula))]
+        via, matched = s.via or (), stated.MATCHED.get(s.match or "", 0)
+        rates = sum(max(matched, len(given or ())) for given in (s.from_, s.to))
+        half = (stated.DEGREES.get(s.spline or "", 1) - 1) // 2
+        if via and (half * len(via) if half else 2 + rates + len(via)) > FEW:
+            shape += [s.width, *(place for place, _ in via)]
+        yield from (each.node for each in shape)
+
+
+def motion_conditions(quantities: Quantities, name: str, law: StatedMotion, parameters: Parameters) -> list[Any]:
+    """What makes a motion law at symbols invalid for a drive that asks it: conditions, as expressions."""
+    found: list[MotionFault] = []
+    reader = MotionReader(quantities, quantities.mechanism.laws[name], law._symbols(parameters))
+    made = reader.motion(found=found)
+    return [*(fault.where for fault in found), jumping(made)]
 
 
 def rate_unit(quantities: Quantities, law: stated.MotionLaw, order: int) -> tuple[str, float]:
@@ -156,8 +193,9 @@ class MotionReader:
     law: stated.MotionLaw
     parameters: Parameters
 
-    def motion(self, checked: bool = True) -> Motion:
-        """Raises :class:`MotionError`; of what is wrong with numbers only where they are ``checked``."""
+    def motion(self, checked: bool = True, found: list[MotionFault] | None = None) -> Motion:
+        """Raises :class:`MotionError`; of what is wrong with numbers only where they are ``checked``. What may be wrong
+        with symbols is added to those ``found``."""
         self.checked = checked
         segments, faults = [], []
         for i, entry in enumerate(self.law.segments):
@@ -170,7 +208,7 @@ class MotionReader:
         period = 2 * pi if self.law.over == "angle" and self.law.beyond != "hold" else None
         if self.law.period is not None:
             period = self.number(self.law.period, self.law.axis)
-        return motion(segments, self.number(self.law.start, self.law.value), period, self.law.beyond, checked)
+        return motion(segments, self.number(self.law.start, self.law.value), period, self.law.beyond, checked, found)
 
     def number(self, of: Expression, dimension: Dimension) -> Scalar:
         """A number at the parameters given."""

@@ -2,13 +2,13 @@
 followers; and tables as their polynomials.
 
 Laws are evaluated on symbols, so that what the page computes is what this package does. What isn't an expression of a
-parameter (the pieces of a motion law, the values of a table) is left as it is at the nominal parameters, which are
-locked then.
+parameter (the motion laws of followers, the tables of loads, shapes of laws that are fitted) is left as it is at the
+nominal parameters, which are locked then.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 import casadi as ca
@@ -17,13 +17,16 @@ from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import evaluate
 from linkwright.expressions.parser import ExpressionError
+from linkwright.expressions.typed_fields import Sign
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, ModelError
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.program import ExpressionStage, Program
 from linkwright.kernels.compiled import Compiled
+from linkwright.kernels.motion_faults import asking
+from linkwright.kernels.motions import motion_conditions
 from linkwright.kernels.parameter_batch import Varied
-from linkwright.kernels.tables import StatedTable
+from linkwright.kernels.tables import StatedTable, closing_margin
 from linkwright.laws import TableLaw
 from linkwright.model.conditions import Condition, varying_conditions
 from linkwright.model.quantities import Quantities
@@ -52,7 +55,9 @@ def derived_parameters(quantities: Quantities, tangents: bool = False) -> Progra
 def locked_parameters(compiled: Compiled, free: Iterable[str]) -> dict[str, Finding]:
     """Of some parameters those that can't be moved in a page, each with the reason."""
     found: dict[str, Finding] = {}
-    fixed = {("laws", name): motion.names for name, motion in compiled.motions.items()}
+    followed = {follower.laws[key] for follower in compiled.mechanism.followers.values() for key in follower.laws}
+    motions = compiled.motions.items()
+    fixed = {("laws", name): motion.names if name in followed else motion.fixed for name, motion in motions}
     fixed |= {("tables", name): table.names for name, table in compiled.tables.items()}
     for name in free:
         try:
@@ -136,7 +141,23 @@ def number_conditions(compiled: Compiled, parameters: Mapping[str, Any] | None =
         except (KeyError, ExpressionError):  # it varies with the motion, and is looked at there
             raise DimensionError("expression.not-constant", name="") from None
 
-    return varying_conditions(compiled.quantities, value, lambda margin: not ca.SX(margin).is_constant())
+    found = varying_conditions(compiled.quantities, value, lambda margin: not ca.SX(margin).is_constant())
+    return [*found, *_law_conditions(compiled, given)]
+
+
+def _law_conditions(compiled: Compiled, parameters: Mapping[str, Any]) -> Iterator[Condition]:
+    """That the motion laws of drives, and tables over whole periods, are valid."""
+    quantities = compiled.quantities
+    for name, askers in asking(compiled.mechanism).items():
+        law = compiled.motions[name]
+        if law.names - law.fixed and all(follower is None for _, follower in askers):
+            for wrong in motion_conditions(quantities, name, law, parameters):
+                finding = Finding("law.values", ("laws", name), {"law": name})
+                yield Condition(ca.if_else(wrong, -1.0, 1.0), Sign.NOT_NEGATIVE, finding)
+    for name, table in compiled.mechanism.tables.items():
+        margin = closing_margin(quantities, table, parameters)
+        if margin is not None and not ca.SX(margin).is_constant():
+            yield Condition(margin, Sign.NOT_NEGATIVE, Finding("table.not-closed", ("tables", name), {}))
 
 
 def table_pieces(table: StatedTable) -> dict[str, Any]:

@@ -13,11 +13,12 @@ from linkwright.expressions.language import Node, evaluate
 from linkwright.findings import Finding
 from linkwright.kernels.law import Parameters
 from linkwright.laws import TableLaw
-from linkwright.laws.numbers import plain
+from linkwright.laws.numbers import largest_of, plain
 from linkwright.model.mechanism import Table
 from linkwright.model.quantities import Quantities
 from linkwright.model.sampled import Sampled, names_in
 from linkwright.notation import Jet, Scalar
+from linkwright.notation.jets import call
 
 CLOSE = 1e-9
 """How closely first and last value of a table over a whole period must agree."""
@@ -115,12 +116,22 @@ def open_ends(quantities: Quantities, table: Table, parameters: Parameters) -> A
     return next(ends) - next(ends)
 
 
+def closing_margin(quantities: Quantities, table: Table, parameters: Parameters) -> Any:
+    """How much less than the tolerance the ends of a table over a whole period differ, at some parameters; these may be
+    arrays of samples or symbols. None where that doesn't depend on them."""
+    away = open_ends(quantities, table, parameters)
+    if isinstance(away, int | float):
+        return None
+    nodes = (quantities.bind(point[1], None) for point in table.points or ())
+    sizes = (call("abs", evaluate(node, lambda name: parameters[name.text])) for node in nodes)
+    return CLOSE * largest_of(sizes) - call("abs", away)
+
+
 def table_faults(sampled: Sampled) -> list[Finding]:
     """Tables that don't close in some samples; these are noted."""
     findings = []
     for name, table in sampled.mechanism.tables.items():
-        away = open_ends(sampled, table, sampled.parameters)
-        size = max((abs(np.asarray(sampled.value(point[1], None))).max() for point in table.points or ()), default=0.0)
-        if isinstance(away, np.ndarray) and sampled.bad(np.abs(away) > CLOSE * size):
+        margin = closing_margin(sampled, table, sampled.parameters)
+        if margin is not None and sampled.bad(np.less(margin, 0.0)):
             findings.append(Finding("table.not-closed", ("tables", name), {}))
     return findings

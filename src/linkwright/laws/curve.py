@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.laws.numbers import backward, plain, settled
+from linkwright.laws.numbers import backward, largest_of, plain, settled
 from linkwright.laws.pieces import Piece, SmoothPart
 from linkwright.laws.stacked import Stack
 from linkwright.notation import Jet, Scalar
@@ -79,6 +79,11 @@ class Curve:
     def plain(self) -> bool:
         """Whether all its numbers are floats."""
         return all(part.plain for part in self.parts)
+
+    @cached_property
+    def symbolic(self) -> bool:
+        """Whether some of its numbers are symbols."""
+        return any(symbolic(number) for part in self.parts for number in part.numbers)
 
     @cached_property
     def _starts(self) -> Array:
@@ -154,16 +159,27 @@ class Curve:
         return tuple(found)
 
     def _sizes(self) -> tuple[Any, ...]:
-        """The same of each sample (samples, 1), from few places."""
-        rows = [self._looked(order, value_of) for order in range(3)]
-        span = np.ptp(rows[0], axis=-1, keepdims=True)
+        """The same of each sample (samples, 1), or of symbols, from few places."""
         width = value_of(self.stop - self.start)
-        sizes = [span, *(np.abs(row).max(axis=-1, keepdims=True) for row in rows[1:])]
-        return tuple(np.maximum(np.maximum(size, span / width**k), 1e-300) for k, size in enumerate(sizes))
+        if self.symbolic:
+            values, *others = ([*self._places(order)] for order in range(3))
+            span = largest_of(values) + largest_of([-value for value in values])
+            sizes = [span, *(largest_of([call("abs", value) for value in row]) for row in others)]
+        else:
+            rows = [self._looked(order, value_of) for order in range(3)]
+            span = np.ptp(rows[0], axis=-1, keepdims=True)
+            sizes = [span, *(np.abs(row).max(axis=-1, keepdims=True) for row in rows[1:])]
+        return tuple(largest_of([size, span / width**k, 1e-300]) for k, size in enumerate(sizes))
+
+    def _places(self, order: int) -> Iterator[Any]:
+        """The expressions of a derivative at few places of each piece."""
+        for part in self.parts:
+            for share in np.linspace(0.0, 1.0, FEW + 1).tolist():
+                yield part.at(part.start + (part.stop - part.start) * share, order)
 
     def jumps(self, step: Scalar, order: int, close: float) -> Any:
         """Of each sample, whether a step of a derivative is more than round-off; that of a dual must not begin."""
-        wrong = np.abs(value_of(step)) > close * self.sizes[order]
+        wrong = call("abs", value_of(step)) > close * self.sizes[order]
         if isinstance(step, Dual):
             wrong = wrong | np.any(np.abs(step.slope) > close * np.abs(self._looked(order, slope_of)).max())
         return wrong

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property, reduce
+from functools import cached_property
 from itertools import accumulate, pairwise
 from typing import Any, Literal
 
@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.laws.curve import ROUND_OFF, SMOOTH, Curve, Extreme, Join, composed, evaluate_chained, rates
-from linkwright.laws.numbers import first, off, plain
+from linkwright.laws.numbers import either, first, largest_of, off, plain, possible
 from linkwright.laws.pieces import SmoothPart
 from linkwright.laws.segments import MotionError, MotionFault, Segment
 from linkwright.notation import Jet, Scalar
@@ -162,16 +162,18 @@ def motion(
     period: Scalar | None = None,
     beyond: Beyond = "repeat",
     checked: bool = True,
+    found: list[MotionFault] | None = None,
 ) -> Motion:
     """Segments in sequence from the value ``start`` on; ``period`` is what they must add up to, where it is given.
 
     Raises :class:`MotionError` with all that is wrong; unless ``checked``, what makes no sense comes out as it may.
+    Of segments of symbols, what may be wrong is added to those ``found``.
     """
     if checked:
-        _check_each(segments)
+        _check_each(segments, found)
     ends, unsettled = _end_rates(segments, beyond)
     if checked:
-        _raise([*_unequal(segments, start, period, beyond), *unsettled])
+        _raise([*_unequal(segments, start, period, beyond), *unsettled], found)
     heights = [*accumulate((segment.lift for segment in segments), initial=start)]
     places = [*accumulate((segment.over for segment in segments), initial=0.0)]
     if period is not None:
@@ -181,17 +183,23 @@ def motion(
         for segment, asked, at, height in zip(segments, ends, places, heights, strict=False)
     ]
     made = Motion(Curve(tuple(part for curve in curves for part in curve.parts)), tuple(places), beyond)
-    if checked and (faults := _unmirrored(segments, curves, made)):
-        raise MotionError(faults)
+    if checked:
+        _raise(_unmirrored(segments, curves, made), found)
     return made
 
 
-def _check_each(segments: Sequence[Segment]) -> None:
+def _check_each(segments: Sequence[Segment], found: list[MotionFault] | None) -> None:
     """Raises what is wrong with segments by themselves."""
-    lengths = [value_of(segment.over) for segment in segments]
-    wrong = [~((x >= SHORTEST) & (x <= LONGEST)) & ~((np.ndim(x) > 0) & np.isnan(x)) for x in map(np.asarray, lengths)]
-    _raise([MotionFault("law.over", i, where=where) for i, where in enumerate(wrong)])
-    _raise([fault for i, segment in enumerate(segments) for fault in segment.faults(i)])
+    wrong = [_out_of_range(value_of(segment.over)) for segment in segments]
+    _raise([MotionFault("law.over", i, where=where) for i, where in enumerate(wrong)], found)
+    _raise([fault for i, segment in enumerate(segments) for fault in segment.faults(i)], found)
+
+
+def _out_of_range(length: Any) -> Any:
+    if symbolic(length):
+        return either(length < SHORTEST, length > LONGEST)
+    x = np.asarray(length)
+    return ~((x >= SHORTEST) & (x <= LONGEST)) & ~((np.ndim(x) > 0) & np.isnan(x))
 
 
 def _unequal(
@@ -202,30 +210,27 @@ def _unequal(
         widths = [segment.over for segment in segments]
         whole: Scalar = sum(widths)
         wrong = off(whole - period, period, CLOSE, [*widths, period])
-        told = {"sum": first(whole, wrong), "period": first(period, wrong)} if np.any(wrong) else {}
+        told = {"sum": first(whole, wrong), "period": first(period, wrong)} if possible(wrong) else {}
         yield MotionFault("law.period", None, told, wrong)
     lifts = [segment.lift for segment in segments]
     heights = [*accumulate(lifts, initial=start)]
     if beyond == "repeat":
         sizes = [value_of(height) for height in heights]
-        span = _most([_most(sizes) - _most(sizes, -1), CLOSE * _most(map(np.abs, sizes)), *map(_size, lifts)])
+        lengths = [call("abs", size) for size in sizes], [call("abs", value_of(lift)) for lift in lifts]
+        whole_span = largest_of(sizes) + largest_of([-size for size in sizes])
+        span = largest_of([whole_span, CLOSE * largest_of(lengths[0]), *lengths[1]])
         wrong = off(heights[-1] - heights[0], span, CLOSE, lifts)
-        told = {"start": first(heights[0], wrong), "end": first(heights[-1], wrong)} if np.any(wrong) else {}
+        told = {"start": first(heights[0], wrong), "end": first(heights[-1], wrong)} if possible(wrong) else {}
         yield MotionFault("law.not-closed", None, told, wrong)
 
 
-def _raise(faults: Sequence[MotionFault]) -> None:
-    if faults := [fault for fault in faults if np.any(fault.where)]:
+def _raise(faults: Sequence[MotionFault], found: list[MotionFault] | None) -> None:
+    faults = [fault for fault in faults if possible(fault.where)]
+    if found is not None:
+        found += (fault for fault in faults if symbolic(fault.where))
+        faults = [fault for fault in faults if not symbolic(fault.where)]
+    if faults:
         raise MotionError(faults)
-
-
-def _size(number: Scalar) -> Any:
-    return np.abs(value_of(number))
-
-
-def _most(values: Iterable[Any], sign: int = 1) -> Any:
-    """The largest of some values, of each sample, or with -1 the smallest."""
-    return reduce(np.maximum if sign > 0 else np.minimum, values)
 
 
 def _end_rates(
@@ -270,9 +275,9 @@ def _unmirrored(segments: Sequence[Segment], curves: Sequence[Curve], made: Moti
     row = [*(around or ends[-1:]), *ends, *(around or ends[:1])]
     jumps = [made.curve.jumps(after[0][2] - before[1][2], 2, ALIKE) for before, after in pairwise(row)]
     return [
-        MotionFault("law.end-acceleration", i, {"law": segment.mirrored}, jumps[i] | jumps[i + 1])
+        MotionFault("law.end-acceleration", i, {"law": segment.mirrored}, either(jumps[i], jumps[i + 1]))
         for i, segment in enumerate(segments)
-        if segment.mirrored and np.any(jumps[i] | jumps[i + 1])
+        if segment.mirrored
     ]
 
 
@@ -293,5 +298,5 @@ def jumping(motion: Motion) -> Any:
     wrong: Any = False
     for before, after in joins:
         for order, (a, b) in enumerate(zip(before, after, strict=True)):
-            wrong = wrong | motion.curve.jumps(b - a, order, ROUND_OFF)
+            wrong = either(wrong, motion.curve.jumps(b - a, order, ROUND_OFF))
     return wrong

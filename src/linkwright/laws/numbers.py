@@ -1,13 +1,15 @@
 """The numbers of which laws are made: floats; arrays (samples, 1), one for each of many samples; duals, whose slopes
-are (directions, 1).
+are (directions, 1); symbols.
 
 A law of floats is what a file states. Laws of arrays and duals come from the same formulas at other values of the
-parameters, and with exact derivatives by these. NaN stands for a sample that makes no sense: it is never wrong again.
+parameters, and with exact derivatives by these; those of symbols are expressions. NaN stands for a sample that makes no
+sense: it is never wrong again.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from functools import reduce
 from typing import Any
 
 import numpy as np
@@ -15,7 +17,7 @@ from numpy.typing import NDArray
 
 from linkwright.notation import Scalar
 from linkwright.notation.duals import Dual, slope_of, value_of
-from linkwright.notation.jets import symbolic
+from linkwright.notation.jets import call, symbolic
 
 Array = NDArray[np.float64]
 
@@ -27,25 +29,42 @@ def plain(*numbers: Scalar) -> bool:
 
 def settled(number: Any) -> Scalar:
     """What came out of arithmetic, as a float where it is a single one."""
-    return number if isinstance(number, Dual) or np.ndim(number) else float(number)
+    return number if isinstance(number, Dual) or symbolic(number) or np.ndim(number) else float(number)
 
 
 def zero(like: Any) -> Any:
     """0 in the shape of some places."""
-    if symbolic(like):
+    if symbolic(like) or isinstance(like, float):
         return 0.0
     return Dual(np.zeros_like(like.value), 0.0) if isinstance(like, Dual) else np.zeros_like(like)
 
 
 def backward(width: Scalar) -> bool:
-    """Whether a width runs backwards."""
-    return bool(np.any(value_of(width) < 0))
+    """Whether a width runs backwards; that of a symbol is a length, which doesn't."""
+    return not symbolic(width) and bool(np.any(value_of(width) < 0))
+
+
+def possible(condition: Any) -> bool:
+    """Whether a condition holds for some sample; of a symbol it may."""
+    return not condition.is_zero() if symbolic(condition) else bool(np.any(condition))
+
+
+def either(*conditions: Any) -> Any:
+    """Whether one of some conditions holds, of each sample."""
+    return reduce(lambda a, b: call("logical_or", a, b), conditions)
 
 
 def first(number: Scalar, wrong: Any) -> float:
-    """A number as it is told: of many samples that of the first that is wrong."""
+    """A number as it is told: of many samples that of the first that is wrong, of a symbol NaN."""
+    if symbolic(number) or symbolic(wrong):
+        return float("nan")
     value = value_of(number)
     return float(value) if np.ndim(wrong) == 0 else float(np.extract(wrong, np.broadcast_to(value, np.shape(wrong)))[0])
+
+
+def largest_of(numbers: Iterable[Any]) -> Any:
+    """The largest of some numbers, of each sample."""
+    return reduce(lambda a, b: call("maximum", a, b), numbers)
 
 
 def largest(number: Scalar) -> float:
@@ -56,14 +75,17 @@ def largest(number: Scalar) -> float:
 def off(number: Scalar, size: Scalar, close: float, among: Sequence[Scalar]) -> Any:
     """Whether a number that should be 0 isn't, ``close`` over a ``size``. A dual must stay 0: its slope counts over
     the slopes of those ``among`` which it comes."""
-    wrong = np.abs(value_of(number)) > close * np.abs(value_of(size))
+    wrong = call("abs", value_of(number)) > close * call("abs", value_of(size))
     if isinstance(number, Dual):
         return wrong | np.any(np.abs(number.slope) > close * sum(np.abs(slope_of(other)) for other in among))
     return wrong
 
 
 def solve(rows: Sequence[Sequence[Scalar]], given: Sequence[Scalar]) -> list[Scalar]:
-    """The solution of linear equations: of each sample, and differentiated: A dx = db - dA x."""
+    """The solution of linear equations: of each sample, and differentiated: A dx = db - dA x; of symbols as
+    expressions, for few unknowns."""
+    if any(symbolic(n) for row in (*rows, given) for n in row):
+        return _expressed(rows, given)
     if plain(*given) and all(plain(*row) for row in rows):
         return [float(x) for x in np.linalg.solve(np.array(rows, dtype=float), np.array(given, dtype=float))]
     matrix, right = _stacked([value_of(n) for row in rows for n in row]), _stacked([value_of(n) for n in given])
@@ -78,6 +100,19 @@ def solve(rows: Sequence[Sequence[Scalar]], given: Sequence[Scalar]) -> list[Sca
     ]
     slope = _solved(matrix, _stacked(slopes))
     return [Dual(v, slope[..., i]) for i, v in enumerate(found)]
+
+
+def _expressed(rows: Sequence[Sequence[Scalar]], given: Sequence[Scalar]) -> list[Scalar]:
+    """The solution as expressions: by the inverse of a matrix of numbers, by orthogonal factors of one of symbols,
+    which keep the digits that symbolic elimination loses."""
+    if all(plain(*row) for row in rows):
+        inverse = np.linalg.inv(np.array(rows, dtype=float)).tolist()
+        return [sum((k * n for k, n in zip(row, given, strict=True) if k), 0.0) for row in inverse]
+    import casadi as ca
+
+    matrix = ca.sparsify(ca.vertcat(*(ca.horzcat(*row) for row in rows)))
+    x = ca.qr_solve(ca.densify(ca.vertcat(*given)), *ca.qr_sparse(matrix), False)
+    return list(ca.vertsplit(x))
 
 
 def _stacked(numbers: Sequence[Any]) -> Array:

@@ -31,6 +31,10 @@ class SmoothPart(Protocol):
     def stop(self) -> Scalar: ...
 
     @property
+    def numbers(self) -> tuple[Scalar, ...]:
+        """All of its numbers."""
+
+    @property
     def plain(self) -> bool:
         """Whether all its numbers are floats."""
 
@@ -152,18 +156,23 @@ class Formula:
     scale: Scalar = 1.0
     base: Scalar = 0.0
     given: tuple[Scalar, ...] = ()  # the values of the parameters that stand in it
+    turned: bool = False  # it runs backwards: the width is negative
 
     @property
     def start(self) -> Scalar:
-        return self.offset + self.width if backward(self.width) else self.offset
+        return self.offset + self.width if self.turned else self.offset
 
     @property
     def stop(self) -> Scalar:
-        return self.offset if backward(self.width) else self.offset + self.width
+        return self.offset if self.turned else self.offset + self.width
+
+    @property
+    def numbers(self) -> tuple[Scalar, ...]:
+        return (self.offset, self.width, self.scale, self.base, *self.given)
 
     @property
     def plain(self) -> bool:
-        return plain(self.offset, self.width, self.scale, self.base, *self.given)
+        return plain(*self.numbers)
 
     @property
     def fineness(self) -> int:
@@ -193,6 +202,7 @@ class Formula:
             scale * self.scale,
             base + scale * self.base,
             self.given,
+            self.turned != backward(width),
         )
 
     def text(self, x: str) -> str:

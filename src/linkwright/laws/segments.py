@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from functools import reduce
 from itertools import pairwise
 from typing import Any, ClassVar, Protocol
 
 import numpy as np
 
 from linkwright.laws.curve import Curve
-from linkwright.laws.numbers import first, settled
+from linkwright.laws.numbers import either, first, possible, settled
 from linkwright.laws.pieces import Piece
 from linkwright.laws.polynomials import polynomial
 from linkwright.laws.registry import Law
@@ -111,9 +110,8 @@ class Rise:
         return [MotionFault("law.not-normal", number, {"start": start, "end": end}, wrong)]
 
     def curve(self, start: Sequence[Scalar], end: Sequence[Scalar]) -> Curve:
-        if self.fall:
-            return self.law.transformed(self.over, -self.over, -self.lift, self.lift)
-        return self.law.transformed(0.0, self.over, self.lift)
+        law = self.law.transformed(1.0, -1.0, -1.0, 1.0) if self.fall else self.law
+        return law.transformed(0.0, self.over, self.lift)
 
 
 @dataclass(frozen=True)
@@ -139,7 +137,7 @@ class Blend:
     def faults(self, number: int) -> list[MotionFault]:
         places = [0.0, *(x for x, _ in self.via), self.over]
         near = [value_of(b - a) < CLOSEST * value_of(self.over) for a, b in pairwise(places)]
-        if np.any(wrong := reduce(np.logical_or, near)):
+        if possible(wrong := either(*near)):
             return [MotionFault("law.via", number, where=wrong)]
         count = 2 + len(self.start) + len(self.end) + len(self.via)
         if self.degree is None and count > MOST:

@@ -49,6 +49,10 @@ def call(name: str, *args: Scalar) -> Scalar:
                 "arctan": "atan",
                 "abs": "fabs",
                 "where": "if_else",
+                "logical_or": "logic_or",
+                "logical_and": "logic_and",
+                "maximum": "fmax",
+                "minimum": "fmin",
             }
             return getattr(casadi, aliases.get(name, name))(*args)
     return getattr(np, name)(*args)

@@ -85,6 +85,11 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "Make the segments return to the start, or write beyond: advance (continues from there) or beyond: hold "
         "(stays there).",
     ),
+    "law.values": (
+        "With these values {law} isn't valid: its segments have no length, don't fit the period, don't return to the "
+        "start, or its value or velocity jumps.",
+        "Change the numbers that belong together, or run the file with these values for the place.",
+    ),
     "law.open-end": (
         "At its {side} the segment takes its derivatives from segment {other}, where they aren't given either.",
         "Give them in one of the two, with from or to.",

@@ -81,6 +81,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "运动规律始于 {start} {unit}，终于 {end} {unit}，因此不能循环重复。",
         "使各区段最终回到起点，或写 beyond: advance（从终点处继续）或 beyond: hold（停留在终点）。",
     ),
+    "law.values": (
+        "取这些值时 {law} 无效：某段没有长度、各段与周期不符、不回到起点，或其数值或速度有跳变。",
+        "请同时修改相关的数值，或用这些值运行文件以查看具体位置。",
+    ),
     "law.open-end": (
         "区段{side}处的导数取自区段 {other}，而该区段也未给出导数。",
         "在二者之一中用 from 或 to 给出。",
