@@ -3,6 +3,7 @@
 from linkwright.elements import (  # noqa: F401  (each registers itself)
     cam_contact,
     counterweight,
+    friction,
     load,
     pin,
     pin_in_slot,
