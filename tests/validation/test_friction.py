@@ -1,6 +1,7 @@
 """Friction against constructions of textbooks: friction circles, a slope that locks itself, a drawer that jams.
 
-Friction circles (Beer, Johnston, Vector Mechanics for Engineers: Statics, ch. 8): a rod without mass passes its force along a tangent of the circles of radius mu r about its pins. To 2e-10 N m of 50 N m: round-off.
+Friction circles (Beer, Johnston, Vector Mechanics for Engineers: Statics, ch. 8): a rod without mass passes its force
+along a tangent of the circles of radius mu r about its pins. To 2e-10 N m of 50 N m: round-off.
 """
 
 from __future__ import annotations

@@ -39,7 +39,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "friction.gives": (
         "在 t = {time} s（{drive} = {value} {unit}）摩擦系数为负：摩擦将成为驱动。",
-        "将其写为速度大小的函数，例如 abs(NAME.omega) 的函数，且始终不小于零。",
+        "将其写为速度大小的函数，例如“abs(NAME.omega)”的函数，且始终不小于零。",
     ),
     "friction.unsolved": (
         "在 t = {time} s（{drive} = {value} {unit}）无法完全精确地求出摩擦力：机构接近卡死，或各运动副相互影响过大。",
