@@ -67,6 +67,13 @@ CASES: dict[str, list[dict[str, Any]]] = {
         {"on": "rocker", "against": "crank", "torque": "pulls(E.x) * 1 m", "window": "early"},
         {"on": "coupler", "at": "C", "force": [1, 2], "window": "low"},
     ],
+    "friction": [
+        {"pin": "C", "radius": 0.05, "coefficient": 0.2},
+        {"pin": "B", "radius": 0.04, "coefficient": "0.1 + 0.05*abs(own.omega)/(1 rad/s)", "viscous": 0.3},
+        {"pin": "D", "in": ["rocker", "frame"], "viscous": 2},
+        {"slide": "rail", "length": 0.3, "coefficient": 0.15},
+        {"slide": "rail", "viscous": 5},
+    ],
     "counterweight": [{"on": "crank", "mass": 2, "at": "0.3 at 3 rad", "inertia": 0.1}],
 }
 EVERY = [(name, i) for name, entries in CASES.items() for i in range(len(entries))]
@@ -75,12 +82,13 @@ T = np.linspace(0.05, 1.9, 41)
 
 def file(name: str, which: int) -> dict[str, Any]:
     """The mechanism with one element."""
-    return {**copy.deepcopy(MODEL), FORCES[name].section: {"own": CASES[name][which]}}
+    loaded = {"loads": {"push": {"on": "coupler", "at": "E", "force": [3, -7]}}} if FORCES[name].resists else {}
+    return {**copy.deepcopy(MODEL), **loaded, FORCES[name].section: {"own": CASES[name][which]}}
 
 
 def made(name: str, which: int) -> tuple[Compiled, Acting, Reports]:
     compiled = compiled_from(file(name, which))
-    (one,) = compiled.mechanism.acting()
+    (one,) = (one for one in compiled.mechanism.acting() if one.name == "own")
     return compiled, one, Reports(compiled, T)
 
 

@@ -32,7 +32,16 @@ STRUCTURES = ("bracket",)
 """Examples without a motion."""
 EXAMPLES = [p for p in sorted(FOLDER.glob("*.yaml")) if not p.stem.endswith(REPEATS) and p.stem not in STRUCTURES]
 COMPILED = [kernel for kernel in every_emitter() if kernel.values != ("numpy",)]
-CHOSEN = ("cam_linkage", "class_four", "conjugate_cam", "jansen_leg", "sauer_platform", "scotch_yoke", "tailgate")
+CHOSEN = (
+    "cam_linkage",
+    "class_four",
+    "conjugate_cam",
+    "jansen_leg",
+    "sauer_platform",
+    "scotch_yoke",
+    "slider_crank_friction",
+    "tailgate",
+)
 """Examples whose programs have all that those of the others have: compiling takes seconds each."""
 REGULAR = 1e-3
 Case = tuple[Program, np.ndarray, np.ndarray, np.ndarray, np.ndarray]

@@ -61,6 +61,7 @@ TITLES = {
     "drive": "Drives",
     "load": "Loads",
     "spring": "Springs",
+    "friction": "Friction",
     "table": "Tables",
     "drawing": "Drawings",
     "law": "Motion laws",

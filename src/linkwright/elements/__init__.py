@@ -4,6 +4,7 @@ from linkwright.elements import (  # noqa: F401  (each registers itself)
     cam_contact,
     counterweight,
     coupling,
+    friction,
     load,
     pin,
     pin_in_slot,

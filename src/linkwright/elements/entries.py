@@ -93,7 +93,7 @@ class ForceEntry(Frozen):
         yield from ()
 
 
-NOUNS = {"loads": "load", "springs": "spring", "counterweights": "counterweight"}
+NOUNS = {"loads": "load", "springs": "spring", "counterweights": "counterweight", "friction": "friction"}
 """The sections of what acts on links, in the order in which it acts, and what one of each is called."""
 SECTIONS = ("joints", *NOUNS)
 """The sections of a file in which elements of several kinds stand."""

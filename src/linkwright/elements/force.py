@@ -28,6 +28,17 @@ from linkwright.notation.registry import Registry
 
 Array = NDArray[np.float64]
 E = TypeVar("E", bound=ForceEntry)
+Reactions = Callable[[str, str], Wrench]
+"""The wrench of a link on a joint, by joint and link."""
+Seats = Sequence[tuple[Scalar, ...]]
+"""The forces with which the seats of a joint press, each a number or the two parts of a vector (N)."""
+
+
+class Resistance(NamedTuple):
+    """An effort that follows from reactions: ``factor`` times the sum of the sizes of forces, and a ``rest``."""
+
+    factor: Scalar
+    rest: Scalar
 
 
 class Use(NamedTuple):
@@ -105,6 +116,12 @@ class ForceContext(LinkPoses, Protocol):
     def signal(self, text: str) -> Scalar:
         """Another signal of the mechanism, among those on which the kind ``depends``."""
 
+    def reaction(self, joint: str, link: str) -> Wrench:
+        """The wrench of a link on a joint."""
+
+    def effort(self, name: str) -> Scalar:
+        """The effort of an element that ``resists``, solved together with the reactions."""
+
     def inside(self, window: str) -> Scalar:
         """Whether the pose lies in the window in which the element acts."""
 
@@ -114,6 +131,12 @@ class ForceContext(LinkPoses, Protocol):
 
 class ForceReports(MoverReports, Protocol):
     """What a run reports; its ``rows`` are the signals that the kind wants ``reported``, too."""
+
+    def line(self, joint: str, link: str) -> tuple[Array, Array]:
+        """Point and direction of a prismatic joint's line on one of its links."""
+
+    def reaction(self, contact: Any) -> tuple[Array, Array | float]:
+        """The reported force (N) of a contact's link on the other side, and its moment (N m)."""
 
     def omega(self, link: str) -> Array:
         """A link's angular velocity (rad/s)."""
@@ -150,6 +173,9 @@ class ForceKind(ABC, Generic[E]):
     """Whether it has wrenches; what only weighs has none."""
     stores: ClassVar[bool] = False
     """Whether it stores energy."""
+    resists: ClassVar[bool] = False
+    """Whether what it does follows from reactions, which it changes in turn: then its wrenches are an effort, of
+    :meth:`resistance` times the sizes of :meth:`seats`, times :meth:`unit_wrenches`."""
     order: ClassVar[int] = 1
     """The derivatives of the motion that its wrenches need."""
     orders: ClassVar[Mapping[str, int]] = {}
@@ -230,6 +256,22 @@ class ForceKind(ABC, Generic[E]):
     def wrenches(self, context: ForceContext, name: str, entry: E) -> Iterator[tuple[str, Wrench]]:
         """What it does to each of its links: (link, wrench)."""
         yield from ()
+
+    def rubs_in(self, entry: E) -> str:
+        """Of one that ``resists`` the joint whose reactions it follows."""
+        raise NotImplementedError
+
+    def resistance(self, context: ForceContext, name: str, entry: E) -> Resistance:
+        """Of one that ``resists``: how its effort (N or N m) follows from the sizes of its seats' forces."""
+        raise NotImplementedError
+
+    def seats(self, context: ForceContext, name: str, entry: E, reactions: Reactions) -> Seats:
+        """The forces with which its seats press, linear in the reactions."""
+        raise NotImplementedError
+
+    def unit_wrenches(self, context: ForceContext, name: str, entry: E) -> Iterator[tuple[str, Wrench]]:
+        """What an effort of 1 does to its links."""
+        raise NotImplementedError
 
     def energy(self, context: ForceContext, name: str, entry: E) -> Scalar:
         """The energy stored (J): its wrenches' power is minus the rate of it, less what is lost."""

@@ -45,6 +45,11 @@ class Actions:
         self.at = {one.path: one for one in self.every}
 
     @cached_property
+    def resisting(self) -> list[Acting]:
+        """What follows from reactions."""
+        return [one for one in self.every if one.kind.resists]
+
+    @cached_property
     def laws(self) -> list[Node]:
         """The expressions of all that acts."""
         bind = self.graph.quantities.bind
@@ -179,5 +184,12 @@ def active(view: View, name: str) -> Scalar:
 
 def wrenches(view: View) -> Iterator[tuple[str, Wrench]]:
     """What acts on each link besides gravity and inertia: (link, wrench)."""
-    for one in view.graph.actions.every:
+    yield from given_wrenches(view)
+    for one in view.graph.actions.resisting:
+        yield from one.kind.wrenches(view, one.name, one.entry)
+
+
+def given_wrenches(view: View) -> Iterator[tuple[str, Wrench]]:
+    """Those of them that don't follow from reactions."""
+    for one in (one for one in view.graph.actions.every if not one.kind.resists):
         yield from one.kind.wrenches(view, one.name, one.entry)

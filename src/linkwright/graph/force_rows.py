@@ -9,6 +9,7 @@ from linkwright.graph.rows import ElementActionRow, Row
 from linkwright.notation import Scalar, Wrench
 
 if TYPE_CHECKING:
+    from linkwright.graph.graph import Graph
     from linkwright.graph.view import View
 
 FORCE = ("x", "y")
@@ -32,6 +33,22 @@ class AppliedForce(ElementActionRow):
         one = view.graph.actions.at[self.section, self.name]
         _, wrench = [*one.kind.wrenches(view, one.name, one.entry)][self.index]
         return _part(wrench, self.part)
+
+
+@dataclass(frozen=True)
+class FrictionNumber(Row):
+    """One of the numbers of the laws of friction, as :attr:`~linkwright.graph.friction.FrictionSystem.numbers` lists
+    them."""
+
+    index: int
+    called = "friction/{index}"
+
+    def order(self, graph: Graph) -> int:
+        return graph.actions.forces
+
+    def expression(self, view: View) -> Scalar:
+        assert view.forces.friction is not None
+        return view.forces.friction.numbers[self.index]
 
 
 @dataclass(frozen=True)

@@ -7,13 +7,14 @@ body that it hangs on is the sum of its wrenches.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import reduce
 
 import casadi as ca
 
 from linkwright.elements import Twist
+from linkwright.graph.friction import FrictionSystem, Resisting
 from linkwright.graph.geometry import ZERO
 from linkwright.graph.motion import Motion
 from linkwright.graph.placing import outer_joint
@@ -31,6 +32,7 @@ class Forces:
     reactions: dict[tuple[str, str], Wrench] = field(default_factory=dict)
     efforts: dict[str, Scalar] = field(default_factory=dict)
     shaking: Wrench = field(default_factory=lambda: Wrench.zero(ZERO))
+    friction: FrictionSystem | None = None
 
 
 def solve_forces(
@@ -38,6 +40,7 @@ def solve_forces(
     applied: Iterable[tuple[str, Wrench]] = (),
     pushes: Efforts | None = None,
     holds: Mapping[str, tuple[dict[str, Wrench], Scalar]] | None = None,
+    resisting: Sequence[Resisting] = (),
 ) -> Forces:
     """All reactions, drive efforts and the shaking wrench, from motion of order 2 and what is applied to links.
 
@@ -48,11 +51,33 @@ def solve_forces(
     Where a follower would have to pull, its second contact pushes instead, if it has one (``holds``: the wrenches of
     a unit effort there, and its effort for each unit of the pull). Both do the same along the lift, hence the same for
     all efforts; what differs are the reactions. Such an effort is minus the second contact's force.
+
+    What is ``resisting`` follows from the reactions (:mod:`linkwright.graph.friction`); there is none with ``holds``.
     """
     own = {link: own_wrench(motion, link, body) for link, body in motion.bodies.items() if link != FRAME}
     own[FRAME] = Wrench.zero(ZERO)
     for link, wrench in applied:
         own[link] = own[link].plus(wrench)
+    if not resisting:
+        return _balanced(motion, own, pushes, holds)
+    still = {link: Wrench.zero(body.anchor.now) for link, body in motion.bodies.items()}
+    alone = [_balanced(motion, _added(still, dict(one.units), 1.0), pushes, None) for one in resisting]
+    system = FrictionSystem.of(resisting, _balanced(motion, own, pushes, None), alone)
+    efforts = system.solved()
+    for one, effort in zip(resisting, efforts, strict=True):
+        own = _added(own, dict(one.units), effort)
+    forces = _balanced(motion, own, pushes, None)
+    forces.friction = system
+    return forces
+
+
+def _balanced(
+    motion: Motion,
+    own: dict[str, Wrench],
+    pushes: Efforts | None,
+    holds: Mapping[str, tuple[dict[str, Wrench], Scalar]] | None,
+) -> Forces:
+    """All forces under the wrenches of the links."""
     units = unit_efforts(motion) | (pushes or {})
     if not units:
         return _Solver(motion, own).run()

@@ -239,6 +239,12 @@ class Graph:
         """The motion alone, to order 0."""
         return View.build(self, 0, self.motion_inputs)
 
+    @cached_property
+    def friction_shape(self) -> list[list[int]]:
+        """Of each effort of friction how many parts the force of each seat has."""
+        system = self._view(self.actions.forces).forces.friction
+        return [] if system is None else system.shape
+
     def acted_on(self, one: Acting) -> list[str]:
         """The links on which an element acts, in the order of its wrenches."""
         view = self._view(max(self.actions.order, one.kind.order))

@@ -14,9 +14,10 @@ from linkwright.elements.follower import UnitEffort
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, signal_text
 from linkwright.expressions.units import Dimension
-from linkwright.graph.actions import active, wrenches
+from linkwright.graph.actions import active, given_wrenches
 from linkwright.graph.derivative_orders import DRIVE_ORDERS, LETTERS, LINK_ORDERS, SLIDE_ORDERS
 from linkwright.graph.forces import Forces, solve_forces
+from linkwright.graph.friction import Resisting
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.motion import Motion, solve_motion
 from linkwright.graph.placing import answered
@@ -73,7 +74,8 @@ class View:
     def forces(self) -> Forces:
         pushes = {name: dict(at.wrenches) for name, at in self.contacts.items()}
         holds = {name: (dict(at.wrenches), self.contacts[name].reach / at.reach) for name, at in self.seconds.items()}
-        return solve_forces(self.motion, wrenches(self), pushes, holds)
+        resisting = [Resisting.of(self, one) for one in self.graph.actions.resisting]
+        return solve_forces(self.motion, given_wrenches(self), pushes, holds, resisting)
 
     @cached_property
     def contacts(self) -> dict[str, UnitEffort]:
@@ -131,6 +133,15 @@ class View:
     def signal(self, text: str) -> Scalar:
         """A signal by its name."""
         return self.row(text)
+
+    def reaction(self, joint: str, link: str) -> Wrench:
+        """The wrench of a link on a joint."""
+        return self.forces.reactions[joint, link]
+
+    def effort(self, name: str) -> Scalar:
+        """The effort of what follows from reactions."""
+        assert self.forces.friction is not None
+        return self.forces.friction.efforts[name]
 
     def inside(self, window: str) -> Scalar:
         """Whether the pose lies in a window."""

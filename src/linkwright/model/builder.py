@@ -215,6 +215,20 @@ class Builder:
         """A mass added to a link, at a point of it or at coordinates."""
         return self._add_entry("counterweights", name, _without_none(on=on, mass=mass, at=at, inertia=inertia))
 
+    def friction(
+        self,
+        name: str,
+        *,
+        pin: str | None = None,
+        slide: str | None = None,
+        in_: tuple[str, str] | None = None,
+        **law: Any,
+    ) -> Self:
+        """Friction in a pin or slide; ``law`` is as in the file: ``radius`` or ``length``, ``coefficient``,
+        ``viscous``."""
+        places = {"pin": pin, "slide": slide, "in": in_}
+        return self._add_entry("friction", name, _without_none(**places, **law))
+
     def window(self, name: str, low: Any, high: Any, of: str | None = None) -> Self:
         """A stretch of the motion: from ``low`` to ``high`` in time, or in the value of the signal ``of``."""
         return self._add_entry("windows", name, [low, high] if of is None else {of: [low, high]})

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
+from linkwright.elements.entries import NOUNS
 from linkwright.elements.points import links_of_points
 from linkwright.expressions.language import FUNCTIONS
 from linkwright.expressions.unknown import likeliest
@@ -14,6 +15,7 @@ from linkwright.model.motions import ARGUMENT
 from linkwright.model.pins import pins
 from linkwright.model.places import find_typed_values
 from linkwright.model.references import KINDS, reference_faults
+from linkwright.model.slides import in_loops
 from linkwright.model.tolerances import tolerance_faults
 from linkwright.model.values import check_values
 from linkwright.model.walk import Found, Reference
@@ -57,6 +59,7 @@ def _collisions(m: Mechanism) -> Iterator[Finding]:
     """Names of links, points, prismatic joints, drives and springs are owners of signals, and must differ; so must
     those of what else has whole turns counted, as links and drives have."""
     points, slides = links_of_points(m), dict(m.joints_but_pins())
+    sections = {noun: section for section, noun in NOUNS.items()}
     owners = {"shaking": Term("the-shaking"), "energy": Term("the-energies")}
     kinds = [("link", name) for name in m.links] + [("point", name) for name in points]
     kinds += [("joint", name) for name in slides] + [("drive", name) for name in m.movers]
@@ -65,7 +68,7 @@ def _collisions(m: Mechanism) -> Iterator[Finding]:
     ]
     for kind, name in kinds:
         if name in owners:
-            path: tuple[str, ...] = m.path_of(name) if kind == "drive" else (f"{kind}s", name)
+            path: tuple[str, ...] = m.path_of(name) if kind == "drive" else (sections.get(kind, f"{kind}s"), name)
             path = ("links", points[name], "points", name) if kind == "point" else path
             data = {"name": name, "first": owners[name], "second": Term(f"a-{kind}")}
             yield Finding("name.taken", path, data)
@@ -136,5 +139,15 @@ def _acting(m: Mechanism) -> Iterator[Finding]:
             yield Finding("model.frame-mass", one.path)
 
 
-_PARTS = (_parameters, _links, _collisions, _joints, _pins, _drives, _acting)
+def _resisting(m: Mechanism) -> Iterator[Finding]:
+    """What follows from reactions needs reactions that statics determines, and that are linear in what acts."""
+    for one in (one for one in m.acting() if one.kind.resists):
+        if (joint := one.kind.rubs_in(one.entry)) in in_loops(m):
+            yield Finding("friction.loop", one.path, {"joint": joint})
+        for name, follower in m.followers.items():
+            if follower.has_second_contact:
+                yield Finding("friction.second-contact", one.path, {"name": name})
+
+
+_PARTS = (_parameters, _links, _collisions, _joints, _pins, _drives, _acting, _resisting)
 _SHORT = ("cylinders", "cams")

@@ -27,6 +27,7 @@ from linkwright.elements.entries import ENTRIES, entries_by_key, keys_of
 from linkwright.elements.fields import freeze
 from linkwright.elements.follower import Follower
 from linkwright.elements.force import Acting, acting
+from linkwright.elements.friction import Friction
 from linkwright.elements.load import Load
 from linkwright.elements.mover import Mover
 from linkwright.elements.points import FRAME
@@ -61,6 +62,7 @@ __all__ = [
     "Counterweight",
     "Cylinder",
     "Drive",
+    "Friction",
     "Joint",
     "Link",
     "Load",
@@ -184,6 +186,7 @@ _Joint = Annotated[Joint, _AnyKind("joints", Joint, "prismatic", "revolute")]
 _Load = Annotated[Load, _AnyKind("loads", Load, "force", "torque")]
 _Spring = Annotated[Spring, _AnyKind("springs", Spring, "from", "to", "turns")]
 _Counterweight = Annotated[Counterweight, _AnyKind("counterweights", Counterweight, "mass")]
+_Friction = Annotated[Friction, _AnyKind("friction", Friction, "pin", "slide")]
 
 
 class Mechanism(Frozen):
@@ -216,6 +219,7 @@ class Mechanism(Frozen):
     loads: Annotated[dict[Name, _Load], _bound, freeze] = Field(default_factory=FrozenDict)
     springs: Annotated[dict[Name, _Spring], _bound, freeze] = Field(default_factory=FrozenDict)
     counterweights: Annotated[dict[Name, _Counterweight], _bound, freeze] = Field(default_factory=FrozenDict)
+    friction: Annotated[dict[Name, _Friction], _bound, freeze] = Field(default_factory=FrozenDict)
     windows: Annotated[dict[Name, Window], _bound, freeze] = Field(default_factory=FrozenDict)
     measures: Annotated[dict[Name, Annotated[SerializeAsAny[Measure], _AnyReduction()]], _bound, freeze] = Field(
         default_factory=FrozenDict
@@ -285,7 +289,7 @@ class Mechanism(Frozen):
         return ((name, joint) for name, joint in self.joints.items() if not joint.revolute and not joint.follows)
 
     def acting(self) -> Iterator[Acting]:
-        """What acts on links or weighs, whatever its kind: loads, springs, counterweights."""
+        """What acts on links or weighs, whatever its kind: loads, springs, counterweights, friction."""
         return acting(self)
 
     def has_mass(self, link: str) -> bool:

@@ -12,7 +12,7 @@ from linkwright.expressions.typed_fields import Context, Path
 from linkwright.expressions.unknown import near, unknown, unknown_point
 from linkwright.findings import Finding
 from linkwright.model.mechanism import FRAME, Mechanism
-from linkwright.model.pins import shared_pins
+from linkwright.model.pins import pins, shared_pins
 from linkwright.model.walk import Reference, references
 
 
@@ -40,6 +40,7 @@ KINDS: Mapping[str, ElementKind] = {
         "links.points",
         "point",
     ),
+    "pin": ElementKind(lambda m: pins(m), "links.points", "pin"),
     "slide": ElementKind(_slides, "joints", "slide"),
     "extended": ElementKind(lambda m: [*_slides(m), *m.cylinders], "cylinders", "slide"),
     "output": ElementKind(

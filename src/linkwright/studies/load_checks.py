@@ -16,6 +16,7 @@ from linkwright.findings import Finding, Term
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.rows import Named, TableArgument, effort
 from linkwright.results import Run
+from linkwright.results.jamming import followed, laws
 from linkwright.results.stationary import stationary
 from linkwright.studies.assembly_checks import drive_value
 
@@ -39,6 +40,28 @@ def undefined(run: Run) -> list[Finding]:
         if bad.size:
             findings.append(_explained(run, one, bad))
     return findings
+
+
+def jammed(run: Run) -> list[Finding]:
+    """Where friction jams the mechanism soonest as its coefficients grow, where it gives power, as its coefficient is
+    negative, and where its forces aren't those to which its growth leads."""
+    resisting = run.compiled.graph.actions.resisting
+    if not resisting:
+        return []
+    t = _times(run, [])
+    share, efforts = followed(laws(run.compiled, t))
+    worst = int(np.argmin(share))
+    if np.isfinite(share[worst]):
+        return [_finding_at(run, "friction.jams", resisting[0].path, float(t[worst]), share=f"{share[worst]:.3g}")]
+    own = run.compiled.evaluate([f"{one.name}.{one.kind.effort(one.entry)}" for one in resisting], t)
+    away = np.abs(own - efforts).max(axis=0) / np.maximum(np.abs(efforts).max(axis=0), 1e-300)
+    late = int(np.argmax(np.nan_to_num(away, nan=np.inf)))
+    if not away[late] <= NEAR:
+        return [_finding_at(run, "friction.unsolved", resisting[0].path, float(t[late]))]
+    for one, power in zip(resisting, run.compiled.evaluate([f"{one.name}.power" for one in resisting], t), strict=True):
+        if power.max() > NEAR * np.abs(power).max():
+            return [_finding_at(run, "friction.gives", one.path, float(t[np.argmax(power)]))]
+    return []
 
 
 def outside(run: Run) -> list[Finding]:

@@ -19,7 +19,7 @@ from linkwright.studies.cycle.options import CycleOptions, span
 from linkwright.studies.cycle.outcome import CycleOutcome
 from linkwright.studies.cycle.report import report
 from linkwright.studies.follower_locking import locked
-from linkwright.studies.load_checks import contacts, outside, undefined
+from linkwright.studies.load_checks import contacts, jammed, outside, undefined
 from linkwright.studies.output_dead_centres import powerless
 from linkwright.studies.plausible import coincident, crossed
 from linkwright.studies.registry import Study, register
@@ -71,6 +71,8 @@ class Cycle(Study):
             return CycleOutcome(Result(run, stops))
         if dead := powerless(run):
             return CycleOutcome(Result(run, dead))
+        if stuck := jammed(run):
+            return CycleOutcome(Result(run, stuck))
         if undecided := undefined(run):
             return CycleOutcome(Result(run, undecided))
         certificate = certify(run)

@@ -22,9 +22,9 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "For example 'springs: {{damper: {{from: A, to: B, damping: 200 N*s/m}}}}'.",
     ),
     "element.friction": (
-        "'{name}': linkwright has no friction yet.",
-        "Apply a friction force of known size as a load against the motion, for example 'loads: {{friction: {{on: "
-        'slider, at: C, along: guide, force: "-20 N*guide.v/max(abs(guide.v), 1 mm/s)"}}}}\'.',
+        "'{name}': friction of pins and slides is written under friction.",
+        "For example 'friction: {{bearing_A: {{pin: A, radius: 10 mm, coefficient: 0.1}}, rail: {{slide: guide, length: "
+        "60 mm, coefficient: 0.12}}}}'. linkwright has no friction of cams and pins in slots yet.",
     ),
     "element.gear": (
         "'{name}': linkwright has no gears yet.",

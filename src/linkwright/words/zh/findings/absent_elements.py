@@ -20,9 +20,9 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "例如“springs: {{damper: {{from: A, to: B, damping: 200 N*s/m}}}}”。",
     ),
     "element.friction": (
-        "“{name}”：linkwright 尚不支持摩擦。",
-        "将大小已知的摩擦力作为与运动方向相反的载荷施加，例如“loads: {{friction: {{on: slider, at: C, along: guide, force: "
-        '"-20 N*guide.v/max(abs(guide.v), 1 mm/s)"}}}}”。',
+        "“{name}”：转动副和移动副的摩擦在 friction 中定义。",
+        "例如“friction: {{bearing_A: {{pin: A, radius: 10 mm, coefficient: 0.1}}, rail: {{slide: guide, length: 60 mm, "
+        "coefficient: 0.12}}}}”。linkwright 尚不支持凸轮和销槽副的摩擦。",
     ),
     "element.gear": (
         "“{name}”：linkwright 尚不支持齿轮。",

@@ -1,0 +1,299 @@
+"""Friction in pins and slides: Coulomb's, of a coefficient that may follow the motion, and viscous.
+
+Coulomb's friction follows from the reaction that it helps to make. Its size is the coefficient times the sum of the
+forces with which the joint's seats press: a pin has one, which presses with the whole reaction and at the pin's radius
+(the circle of friction: Beer, Johnston, Vector Mechanics for Engineers: Statics, ch. 8), a guide of length l has
+its two ends, which press with N/2 + M/l and N/2 - M/l. The sum of these is the larger of |N| and 2 |M|/l.
+
+A moment or force is positive where it drives the first link with the motion to the positive side; friction never does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Any, ClassVar, NamedTuple
+
+import numpy as np
+from pydantic import Field
+
+from linkwright.elements.entries import ForceEntry
+from linkwright.elements.fields import TwoLinks
+from linkwright.elements.force import (
+    Array,
+    Break,
+    ForceContext,
+    ForceKind,
+    ForceReports,
+    Misfit,
+    Reactions,
+    Resistance,
+    Seats,
+    SignalChart,
+    register,
+)
+from linkwright.elements.joint import Applied
+from linkwright.elements.pins import pins
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Expression, Name
+from linkwright.expressions.language import FUNCTIONS, Call, is_signal, nodes
+from linkwright.expressions.language import Name as Signal
+from linkwright.expressions.typed_fields import Context, Path, Quantity, Ref, Scope, Sign
+from linkwright.expressions.units import Dimension
+from linkwright.expressions.written import Fault
+from linkwright.findings import Finding, Joined, Term
+from linkwright.notation import Pair, Scalar, Wrench
+from linkwright.notation.jets import call
+
+_OF_PIN, _OF_SLIDE = ("in", "radius"), ("length",)
+
+
+def _sign_of_coefficient(context: Context) -> Sign:
+    """A number mustn't be negative; what follows the motion is looked at in a run."""
+    parts = [*nodes(context.entry.coefficient.node)]
+    follows = any(is_signal(part) or part == Signal("t") for part in parts)
+    asks = any(isinstance(part, Call) and part.name not in FUNCTIONS for part in parts)
+    return Sign.ANY if follows or asks else Sign.NOT_NEGATIVE
+
+
+_COEFFICIENT = Quantity(u.PURE, _sign_of_coefficient, scope=Scope.LOAD)
+
+
+class Friction(ForceEntry):
+    """Friction in a pin or slide: Coulomb's with a coefficient, viscous, or both."""
+
+    kind: ClassVar[str] = "friction"
+
+    pin: Annotated[Name | None, Ref("pin")] = None
+    slide: Annotated[Name | None, Ref("slide")] = None
+    in_: TwoLinks | None = Field(None, alias="in")
+    radius: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = None
+    length: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = None
+    coefficient: Annotated[Expression | None, _COEFFICIENT] = None
+    viscous: Annotated[
+        Expression | None,
+        Quantity(lambda c: u.DAMPING if c.entry.pin is None else u.TORSIONAL_DAMPING, Sign.NOT_NEGATIVE),
+    ] = None
+
+    @classmethod
+    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
+        if ("pin" in given) == ("slide" in given):
+            yield "friction.place", {}
+            return
+        others, size = (_OF_SLIDE, "radius") if "pin" in given else (_OF_PIN, "length")
+        if strays := [key for key in others if key in given]:
+            yield "friction.stray", {"keys": Joined(strays)}
+        if "coefficient" not in given and "viscous" not in given:
+            yield "friction.law", {}
+        if "coefficient" in given and size not in given:
+            yield "friction.size", {"key": size}
+
+    @property
+    def turns(self) -> bool:
+        """Whether it is in a pin, and a moment."""
+        return self.pin is not None
+
+    @property
+    def rate(self) -> str:
+        """The signal of the speed against which it works: ``omega`` or ``v``."""
+        return "omega" if self.turns else "v"
+
+    @property
+    def effort(self) -> str:
+        """The signal of what it does: ``moment`` or ``force``."""
+        return "moment" if self.turns else "force"
+
+    @property
+    def joint(self) -> str:
+        """The pin or slide."""
+        return str(self.pin or self.slide)
+
+    def links(self, mechanism: Any) -> tuple[str, str]:
+        """The link that moves and the one against which: of a pin the two of ``in``, else the last and the first
+        on it; of a slide the second and the first."""
+        if self.in_ is not None:
+            return self.in_
+        links = pins(mechanism)[self.joint].links if self.turns else mechanism.joints[self.joint].links
+        return links[1], links[0]
+
+
+class _Contact(NamedTuple):
+    """Where a reaction acts."""
+
+    joint: str
+    link: str
+    on: str
+
+
+PIN_SIGNALS = {"omega": u.OMEGA, "moment": u.TORQUE, "power": u.POWER}
+SLIDE_SIGNALS = {"v": u.SPEED, "force": u.FORCE, "ahead": u.FORCE, "behind": u.FORCE, "power": u.POWER}
+VAGUE = 1e-9
+"""A speed below this share of the largest one has a sign that round-off may decide: there the report is believed."""
+
+
+@register
+class Frictions(ForceKind[Friction]):
+    """Friction in pins and slides."""
+
+    name = "friction"
+    section = "friction"
+    entry = Friction
+    usual = True
+    resists = True
+    order = 2
+    orders = {"omega": 1, "v": 1}
+    charts = (
+        SignalChart("friction_moment", "force", "moment"),
+        SignalChart("friction_force", "force", "force"),
+    )
+
+    def signals(self, entry: Friction) -> Mapping[str, Dimension]:
+        return PIN_SIGNALS if entry.turns else SLIDE_SIGNALS
+
+    def effort(self, entry: Friction) -> str:
+        return entry.effort
+
+    def faults(self, mechanism: Any, path: Path, entry: Friction) -> Iterator[Finding]:
+        if entry.turns and entry.joint in (known := pins(mechanism)):
+            links = known[entry.joint].links
+            data = {"pin": entry.joint, "links": Joined(links)}
+            if entry.in_ is None and len(links) > 2:
+                yield Finding("friction.pin-links", path, data)
+            elif entry.in_ is not None and not {*entry.in_} <= {*links}:
+                yield Finding("friction.not-on-pin", (*path, "in"), data)
+            elif entry.in_ is not None and entry.in_[0] == entry.in_[1]:
+                yield Finding("friction.same-link", (*path, "in"), {"name": entry.in_[0]})
+
+    def laws(self, entry: Friction) -> tuple[tuple[Expression, Dimension], ...]:
+        return () if entry.coefficient is None else ((entry.coefficient, u.PURE),)
+
+    def breaks(self, name: str, entry: Friction, bind: Any) -> Iterator[Break]:
+        if entry.coefficient is not None:
+            yield Break(Signal(f"{name}.{entry.rate}"), jumps=True)
+            for end in () if entry.turns else ("ahead", "behind"):
+                yield Break(Signal(f"{name}.{end}"), jumps=False)
+
+    # What it does.
+
+    def rubs_in(self, entry: Friction) -> str:
+        return entry.joint
+
+    def resistance(self, context: ForceContext, name: str, entry: Friction) -> Resistance:
+        speed = _speed(context, entry)
+        factor: Scalar = 0.0
+        if entry.coefficient is not None:
+            arm = _number(context, entry, "radius") if entry.turns else 1.0
+            factor = -call("sign", speed) * context.value(entry.coefficient, u.PURE) * arm
+        return Resistance(factor, 0.0 if entry.viscous is None else -_number(context, entry, "viscous") * speed)
+
+    def seats(self, context: ForceContext, name: str, entry: Friction, reactions: Reactions) -> Seats:
+        mechanism = context.geometry.mechanism
+        wrench = reactions(entry.joint, entry.links(mechanism)[0])
+        if entry.turns:
+            return [(wrench.force.x, wrench.force.y)]
+        if entry.length is None:
+            return []
+        first = mechanism.joints[entry.joint].links[0]
+        across = context.bodies[first].direction(context.geometry.line(entry.joint, first)[1]).perp.now
+        half, turning = across.dot(wrench.force) * 0.5, wrench.moment / _number(context, entry, "length")
+        return [(half + turning,), (half - turning,)]
+
+    def unit_wrenches(self, context: ForceContext, name: str, entry: Friction) -> Iterator[tuple[str, Wrench]]:
+        geometry, bodies = context.geometry, context.bodies
+        link, on = entry.links(geometry.mechanism)
+        if entry.turns:
+            unit = Wrench(Pair(0.0, 0.0), 1.0, bodies[on].point(geometry.pin_point(entry.joint, on)).now)
+        else:
+            place = bodies[link].point(geometry.line(entry.joint, link)[0]).now
+            unit = Wrench(bodies[on].direction(geometry.line(entry.joint, on)[1]).now, 0.0, place)
+        yield link, unit
+        yield on, unit.opposite
+
+    def wrenches(self, context: ForceContext, name: str, entry: Friction) -> Iterator[tuple[str, Wrench]]:
+        effort = context.effort(name)
+        for link, unit in self.unit_wrenches(context, name, entry):
+            yield link, unit.times(effort)
+
+    def signal(self, context: ForceContext, name: str, entry: Friction, attribute: str) -> Scalar:
+        if attribute == entry.rate:
+            return _speed(context, entry)
+        if attribute in ("ahead", "behind"):
+            seats = self.seats(context, name, entry, context.reaction)
+            return seats[("ahead", "behind").index(attribute)][0] if seats else 0.0
+        effort = context.effort(name)
+        return effort * _speed(context, entry) if attribute == "power" else effort
+
+    # The proof: the law of friction once more, in plain NumPy, from reported reactions, poses and rates.
+
+    def reported(self, entry: Friction) -> tuple[str, ...]:
+        return (entry.effort,)
+
+    def applied(self, reports: ForceReports, name: str, entry: Friction) -> list[Applied]:
+        link, on = entry.links(reports.geometry.mechanism)
+        effort = _resisting(reports, name, entry)
+        if entry.turns:
+            nothing = np.zeros((2, reports.count))
+            return [(link, nothing, nothing, effort), (on, nothing, nothing, -effort)]
+        (place, _), (_, along) = reports.line(entry.joint, link), reports.line(entry.joint, on)
+        return [(link, effort * along, place, 0.0), (on, -effort * along, place, 0.0)]
+
+    def misfits(self, reports: ForceReports, name: str, entry: Friction) -> list[Misfit]:
+        told = reports.rows[f"{name}.{entry.effort}"]
+        return [Misfit(told - _resisting(reports, name, entry), not entry.turns)]
+
+    # What is told of it.
+
+    def sentence(self, name: str, entry: Friction, effort: float, shown: Any) -> Term:
+        size = shown(abs(effort), u.TORQUE if entry.turns else u.FORCE)
+        return Term("friction-in", name=name, joint=entry.joint, effort=size)
+
+
+def _number(context: ForceContext, entry: Friction, key: str) -> Scalar:
+    """One of its numbers (SI)."""
+    return context.geometry.number(getattr(entry, key), entry.dimension(key))
+
+
+def _speed(context: ForceContext, entry: Friction) -> Scalar:
+    """The speed of its first link against the second (rad/s, or m/s along the line)."""
+    geometry, bodies = context.geometry, context.bodies
+    link, on = entry.links(geometry.mechanism)
+    if entry.turns:
+        return bodies[link].turn.d[0] - bodies[on].turn.d[0]
+    (second, _), (first, heading) = geometry.line(entry.joint, link), geometry.line(entry.joint, on)
+    between = bodies[link].point(second).minus(bodies[on].point(first))
+    return between.dot(bodies[on].direction(heading)).d[1]
+
+
+def _pressing(reports: ForceReports, entry: Friction) -> Array:
+    """The sum of the forces (N) of its seats, from the reported reaction."""
+    mechanism = reports.geometry.mechanism
+    link, on = entry.links(mechanism)
+    alone = not entry.turns or len(pins(mechanism)[entry.joint].links) == 2
+    force, moment = reports.reaction(_Contact(entry.joint, link, on if alone else entry.joint))
+    if entry.turns:
+        return np.asarray(np.hypot(*force))
+    assert entry.length is not None
+    across = np.array([[0.0, -1.0], [1.0, 0.0]]) @ reports.line(entry.joint, on)[1]
+    normal, length = (force * across).sum(axis=0), float(reports.geometry.number(entry.length, u.LENGTH))
+    return np.asarray(np.maximum(np.abs(normal), 2 * np.abs(moment) / length))
+
+
+def _resisting(reports: ForceReports, name: str, entry: Friction) -> Array:
+    """Its moment (N m) or force (N) on its first link by its law; at rest in the reported sense."""
+    link, on = entry.links(reports.geometry.mechanism)
+    if entry.turns:
+        turning = [reports.omega(one) for one in (link, on)]
+        speed, largest = turning[0] - turning[1], np.abs(turning[0]) + np.abs(turning[1])
+    else:
+        (place, _), (_, along) = reports.line(entry.joint, link), reports.line(entry.joint, on)
+        velocities = [reports.velocity(one, place) for one in (link, on)]
+        speed = ((velocities[0] - velocities[1]) * along).sum(axis=0)
+        largest = sum((np.hypot(*one) for one in velocities), np.zeros(reports.count))
+    effort = np.zeros(reports.count)
+    if entry.viscous is not None:
+        effort = effort - float(reports.geometry.number(entry.viscous, entry.dimension("viscous"))) * speed
+    if entry.coefficient is None:
+        return effort
+    arm = 1.0 if entry.radius is None else float(reports.geometry.number(entry.radius, u.LENGTH))
+    vague = np.abs(speed) <= VAGUE * largest.max(initial=0.0)
+    sense = np.where(vague, np.sign(reports.rows[f"{name}.{entry.effort}"]), -np.sign(speed))
+    return effort + sense * reports.value(entry.coefficient, u.PURE) * arm * _pressing(reports, entry)

@@ -1,0 +1,55 @@
+"""Problems of friction."""
+
+PROBLEMS: dict[str, tuple[str, str]] = {
+    "friction.place": (
+        "It isn't clear where the friction is.",
+        "Give pin (the name of a pin) or slide (the name of a prismatic joint), one of them.",
+    ),
+    "friction.stray": (
+        "These keys aren't allowed in friction of this kind: {keys}.",
+        "Remove them: a pin has radius and, if needed, in; a slide has length.",
+    ),
+    "friction.law": (
+        "The friction has no law.",
+        "Add coefficient for Coulomb friction, viscous, or both.",
+    ),
+    "friction.size": (
+        "A coefficient of friction needs the {key} of the joint.",
+        "Add radius (where the pin rubs in its bearing), or length (of the slide's guide).",
+    ),
+    "friction.pin-links": (
+        "More than two links share the pin {pin}: {links}. It isn't clear which of them rubs on which.",
+        "Add in: [LINK, LINK WITH THE PIN], one friction for each link that rotates on the pin.",
+    ),
+    "friction.not-on-pin": (
+        "A link given under in isn't on the pin {pin}.",
+        "The links on this pin are {links}.",
+    ),
+    "friction.same-link": (
+        "Both links of the friction are {name}, so it has no effect.",
+        "Name two different links.",
+    ),
+    "friction.loop": (
+        "Friction in the slide {joint} can't be computed: it is in a loop of slides, whose moments statics doesn't "
+        "determine.",
+        "Put the friction into other joints, or apply a force of known size as a load.",
+    ),
+    "friction.second-contact": (
+        "Friction can't be computed together with {name}, whose follower has contact on two sides.",
+        "Remove the friction, or give the follower one contact.",
+    ),
+    "friction.gives": (
+        "At t = {time} s ({drive} = {value} {unit}) the coefficient of friction is negative: the friction would drive.",
+        "Write it as a function of the magnitude of the speed, such as abs(NAME.omega), that stays above zero.",
+    ),
+    "friction.unsolved": (
+        "At t = {time} s ({drive} = {value} {unit}) the friction forces couldn't be computed to full accuracy: the "
+        "mechanism is close to jamming, or its joints influence each other too much.",
+        "Reduce the coefficients or radii, use a longer guide, or avoid this part of the motion.",
+    ),
+    "friction.jams": (
+        "At t = {time} s ({drive} = {value} {unit}) the mechanism jams: at {share} of the friction coefficients the "
+        "friction has grown beyond any effort of the drives.",
+        "Reduce the coefficients or radii, use a longer guide, or avoid this part of the motion.",
+    ),
+}
