@@ -25,7 +25,7 @@ BUILT = (
     "exports/process_simulate/sheet.js",
     "presentation/assets/languages.js",
     "report/assets/LICENSE.uplot.txt",
-    "report/assets/drawing.css",
+    "report/assets/lw.css",
     "report/assets/mechanism.js",
     "report/assets/report.js",
     "report/assets/report_studies.js",

@@ -46,7 +46,7 @@ await Promise.all([
     define: { "globalThis.DRAWING_STYLES": JSON.stringify(outputFiles[0]!.text.trim()) },
     outfile: join(folder, "report/assets/mechanism.js"),
   }),
-  build({ ...drawing, outfile: join(folder, "report/assets/drawing.css") }),
+  build({ ...drawing, outfile: join(folder, "report/assets/lw.css") }),
   build({
     ...shared,
     entryPoints: ["uplot/dist/uPlot.min.css"],

@@ -142,7 +142,7 @@ def page(data: ReportData) -> str:
         scripts=scripts,
         words=partial(_words, data),
         before=_built("uplot.min.css") + "\n",
-        style="\n".join(["", _built("drawing.css"), *map(partial(asset, __package__), sheets)]),
+        style="\n".join(["", _built("lw.css"), *map(partial(asset, __package__), sheets)]),
     )
 
 

@@ -26,10 +26,19 @@ export interface Labels {
   readonly move: Move;
   readonly pins: readonly Placed[];
   readonly links: readonly Placed[];
+  readonly directions: ReadonlyMap<string, number>;
 }
 
-export function labels(facts: Facts, view: View, r: number, parent: Element): Labels {
-  const every = facts.pins.map((pin) => ({ pin, label: pinLabel(pin, facts, r, parent) }));
+/** `kept`: where names of pins stood before: while numbers change they stay on their sides. */
+export function labels(
+  facts: Facts,
+  view: View,
+  r: number,
+  parent: Element,
+  kept: Labels["directions"] = new Map(),
+): Labels {
+  const directions = new Map(facts.pins.map((pin) => [pin.name, kept.get(pin.name) ?? labelDirection(pin, facts)]));
+  const every = facts.pins.map((pin) => ({ pin, label: pinLabel(pin, directions.get(pin.name)!, r, parent) }));
   const joined = every.filter(({ pin }) => pin.joints.length).map(({ label }) => label);
   const pins = [...joined, ...every.filter(({ pin }) => !pin.joints.length).map(({ label }) => label)];
   const links = facts.scene.links.flatMap((link) => {
@@ -52,11 +61,10 @@ export function labels(facts: Facts, view: View, r: number, parent: Element): La
       label.boxes = half && (dx || dy) ? [box, { ...box, x: into(x - dx), y: y - dy }] : [box];
     }
   };
-  return { move, pins, links };
+  return { move, pins, links, directions };
 }
 
-function pinLabel(pin: Pin, facts: Facts, r: number, parent: Element): Label {
-  const direction = labelDirection(pin, facts);
+function pinLabel(pin: Pin, direction: number, r: number, parent: Element): Label {
   const [dx, dy] = [Math.cos(direction), Math.sin(direction)];
   const anchor = dx > 0.3 ? "start" : dx < -0.3 ? "end" : "middle";
   const text = svg("text", { class: "lw-label", "text-anchor": anchor, dy: "0.35em" }, parent);

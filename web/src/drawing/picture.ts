@@ -8,9 +8,9 @@ import { type Camera, HOME, through } from "./camera.ts";
 import { thinned } from "./crowding.ts";
 import { dimensionLines } from "./dimension_lines.ts";
 import { shown, svg } from "./elements.ts";
-import { labels } from "./labels.ts";
+import { type Labels, labels } from "./labels.ts";
 import { openings } from "./openings.ts";
-import { areas, centrodes, traces } from "./paths.ts";
+import { areas, centrodes, type Layer, traces } from "./paths.ts";
 import { pinCircles } from "./pin_circles.ts";
 import { type Seen, usual } from "./seen.ts";
 import { springs } from "./springs.ts";
@@ -48,7 +48,11 @@ export interface Drawn extends Picture {
   /** The view that fits all, on which the camera is. */
   readonly fitted: View;
   readonly original: Original | null;
+  /** On which side of its pin each name stands. */
+  readonly directions: Labels["directions"];
 }
+
+const NOTHING: Layer = { groups: [], move: () => {} };
 
 interface Original {
   readonly facts: Facts;
@@ -75,7 +79,8 @@ export function draw(
   const compared = original && originalOf(original, view, r, before);
   if (compared) root.append(compared.group);
   const paths = traces(facts, view, root);
-  const rolling = centrodes(facts, view, root);
+  // Centrodes are recorded, and hidden where the motion is another one.
+  const rolling = original ? NOTHING : centrodes(facts, view, root);
   const layer = (name: string) => svg("g", { class: name }, root);
   const moves = [
     compared?.move ?? (() => {}),
@@ -88,7 +93,7 @@ export function draw(
     arrows(facts, view, seen.arrows, layer("lw-arrows")),
   ];
   const lengths = seen.dimensions ? dimensionLines(facts, original, view, layer("lw-dimensions")) : null;
-  const names = labels(facts, view, r, layer("lw-labels"));
+  const names = labels(facts, view, r, layer("lw-labels"), original ? before?.directions : undefined);
   if (lengths) moves.push(lengths.move);
   moves.push(names.move);
   const [pins, links] = [seen.points ? names.pins : [], seen.links ? names.links : []];
@@ -101,7 +106,8 @@ export function draw(
     thin();
     shown(note, Boolean(facts.gaps[sample] || (f && facts.gaps[sample + 1])));
   };
-  return { show, view, fitted, original: compared, areas: behind, traces: paths.groups, centrodes: rolling.groups };
+  const groups = { areas: behind, traces: paths.groups, centrodes: rolling.groups };
+  return { show, view, fitted, original: compared, ...groups, directions: names.directions };
 }
 
 /** The mechanism as it was, and the paths of its points. */

@@ -3,9 +3,9 @@
 PROBLEMS: dict[str, tuple[str, str]] = {
     "element.belt": (
         "'{name}': linkwright has no belts and chains yet.",
-        "A belt turns two links in the ratio of their radii. If the law of one is known, give each a drive of its "
-        "own: 'a: {{turns: pulley1, on: frame, speed: 60 rpm, start: 0 deg}}' and 'b: {{turns: pulley2, on: frame, "
-        "speed: 60 rpm*r1/r2, start: 0 deg}}'. The torque of the second drive is what the belt transmits.",
+        "A belt turns two links in the ratio of their radii. If one is driven, couple the other to it under joints: 'belt: "
+        "{{coupling: [pulley2, frame], follows: motor.angle*r1/r2}}'. The torque of the coupling is what the belt "
+        "transmits; the forces of its strands aren't computed.",
     ),
     "element.clearance": (
         "'{name}': the joints of a model have no clearance.",
@@ -28,10 +28,9 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "element.gear": (
         "'{name}': linkwright has no gears yet.",
-        "A pair of gears turns two links in a fixed ratio. If the law of one is known, give each a drive of its own: "
-        "'a: {{turns: gear1, on: frame, speed: 60 rpm, start: 0 deg}}' and 'b: {{turns: gear2, on: frame, speed: -60 "
-        "rpm*z1/z2, start: 0 deg}}' (or 'position: -(LAW OF a)*z1/z2'). The torque of the second drive is what the "
-        "gears transmit.",
+        "A pair of gears turns two links in a fixed ratio. If one is driven, couple the other to it under joints: 'mesh: "
+        "{{coupling: [gear2, frame], follows: -motor.angle*z1/z2}}'. The torque of the coupling is what the gears "
+        "transmit; the forces of the teeth aren't computed.",
     ),
     "element.geneva": (
         "'{name}': linkwright has no Geneva drives yet.",

@@ -3,8 +3,8 @@
 PROBLEMS: dict[str, tuple[str, str]] = {
     "element.belt": (
         "“{name}”：linkwright 尚不支持带传动和链传动。",
-        "带传动使两个构件按半径之比转动。若其中一个的运动规律已知，为二者分别设置驱动：“a: {{turns: pulley1, on: frame, speed: 60 rpm, start: "
-        "0 deg}}”和“b: {{turns: pulley2, on: frame, speed: 60 rpm*r1/r2, start: 0 deg}}”。第二个驱动的力矩即为带所传递的力矩。",
+        "带传动使两个构件按半径之比转动。若其中一个由驱动带动，在 joints 中使另一个与之联动：“belt: {{coupling: [pulley2, frame], follows: "
+        "motor.angle*r1/r2}}”。联动的力矩即为带所传递的力矩；带两侧的拉力不作计算。",
     ),
     "element.clearance": (
         "“{name}”：模型中的运动副没有间隙。",
@@ -26,9 +26,8 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "element.gear": (
         "“{name}”：linkwright 尚不支持齿轮。",
-        "一对齿轮使两个构件按固定传动比转动。若其中一个的运动规律已知，为二者分别设置驱动：“a: {{turns: gear1, on: frame, speed: 60 rpm, start: "
-        "0 deg}}”和“b: {{turns: gear2, on: frame, speed: -60 rpm*z1/z2, start: 0 deg}}”（或“position: -(a 的运动规律)*z1/z2”）。"
-        "第二个驱动的力矩即为齿轮所传递的力矩。",
+        "一对齿轮使两个构件按固定传动比转动。若其中一个由驱动带动，在 joints 中使另一个与之联动：“mesh: {{coupling: [gear2, frame], follows: "
+        "-motor.angle*z1/z2}}”。联动的力矩即为齿轮所传递的力矩；齿面力不作计算。",
     ),
     "element.geneva": (
         "“{name}”：linkwright 尚不支持槽轮机构。",
