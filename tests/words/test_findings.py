@@ -112,7 +112,7 @@ def rendered() -> str:
 
 def in_source() -> set[str]:
     """The codes that the source raises: what looks like one, begins like one, and isn't another text's key."""
-    files = (".css", ".csv", ".nc", ".svg", ".dxf", ".geojson", ".png", ".step")
+    files = (".csv", ".nc", ".svg", ".dxf", ".geojson", ".png", ".step")
     codes = {text for text in source.texts() if text.split(".")[0] in TITLES and not text.endswith(files)}
     return codes - OTHERS
 
