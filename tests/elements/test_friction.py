@@ -54,6 +54,22 @@ def test_refused_by_name(code: str, entry: dict[str, Any]) -> None:
     assert code in refused(**entry)
 
 
+def test_refused_where_statics_says_nothing() -> None:
+    """In loops of slides, beside a follower with two contacts, in structures."""
+    examples = Path(__file__).parents[2] / "examples"
+    cases = {
+        "wedge_press": ("friction.loop", {"slide": "ANY", "length": 2, "coefficient": 0.1}),
+        "bracket": ("friction.still", {"pin": "A", "radius": 2, "coefficient": 0.1}),
+    }
+    for name, (code, entry) in cases.items():
+        data = YAML(typ="safe").load((examples / f"{name}.yaml").read_text("utf-8"))
+        if "slide" in entry:
+            entry["slide"] = next(key for key, joint in data["joints"].items() if "prismatic" in joint)
+        data["friction"] = {"own": entry}
+        document = lw.Document.model_validate(data)
+        assert code in [finding.code for finding in lw.check(document)]
+
+
 def test_a_coefficient_is_not_negative() -> None:
     assert refused(pin="A", radius=2, coefficient=-0.1) != []
     data = slider_crank()
