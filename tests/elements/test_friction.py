@@ -59,6 +59,7 @@ def test_refused_where_statics_says_nothing() -> None:
     examples = Path(__file__).parents[2] / "examples"
     cases = {
         "wedge_press": ("friction.loop", {"slide": "ANY", "length": 2, "coefficient": 0.1}),
+        "conjugate_cam": ("friction.second-contact", {"pin": "O", "radius": 2, "coefficient": 0.1}),
         "bracket": ("friction.still", {"pin": "A", "radius": 2, "coefficient": 0.1}),
     }
     for name, (code, entry) in cases.items():
