@@ -140,8 +140,11 @@ def _acting(m: Mechanism) -> Iterator[Finding]:
 
 
 def _resisting(m: Mechanism) -> Iterator[Finding]:
-    """What follows from reactions needs reactions that statics determines, and that are linear in what acts."""
+    """What follows from reactions needs a motion, and reactions that statics determines and that are linear in what
+    acts."""
     for one in (one for one in m.acting() if one.kind.resists):
+        if not m.drives:
+            yield Finding("friction.still", one.path)
         if (joint := one.kind.rubs_in(one.entry)) in in_loops(m):
             yield Finding("friction.loop", one.path, {"joint": joint})
         for name, follower in m.followers.items():

@@ -42,6 +42,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "At t = {time} s ({drive} = {value} {unit}) the coefficient of friction is negative: the friction would drive.",
         "Write it as a function of the magnitude of the speed, such as abs(NAME.omega), that stays above zero.",
     ),
+    "friction.still": (
+        "Friction in a structure without a drive isn't determined: nothing moves.",
+        "Remove it, or add the drive that moves the mechanism.",
+    ),
     "friction.unsolved": (
         "At t = {time} s ({drive} = {value} {unit}) the friction forces couldn't be computed to full accuracy: the "
         "mechanism is close to jamming, or its joints influence each other too much.",

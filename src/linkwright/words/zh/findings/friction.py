@@ -41,6 +41,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "在 t = {time} s（{drive} = {value} {unit}）摩擦系数为负：摩擦将成为驱动。",
         "将其写为速度大小的函数，例如“abs(NAME.omega)”的函数，且始终不小于零。",
     ),
+    "friction.still": (
+        "没有驱动的结构中，摩擦不能确定：没有构件运动。",
+        "将其去掉，或加上使机构运动的驱动。",
+    ),
     "friction.unsolved": (
         "在 t = {time} s（{drive} = {value} {unit}）无法完全精确地求出摩擦力：机构接近卡死，或各运动副相互影响过大。",
         "减小摩擦系数或半径，加长导轨，或避开这段运动。",
