@@ -108,6 +108,11 @@ class Inner(ABC):
             found.append(Wrench(Pair(x, y), moment, about))
         return found
 
+    def besides(self, bodies: Sequence[Body], multipliers: Sequence[Scalar]) -> list[Wrench]:
+        """Wrenches on the links that come with the multipliers and do no work on any motion that the mechanism has,
+        such as the force that separates two gears; none where the list is empty."""
+        return []
+
 
 def _moving(body: Body, twist: Twist) -> Body:
     """A body in its present pose with the velocity of a twist."""

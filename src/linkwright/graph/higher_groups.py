@@ -55,11 +55,36 @@ class SolvedHigherGroup:
 
     def balance(self, wrenches: dict[str, Wrench], bodies: dict[str, Body]) -> list[list[Wrench]]:
         """The wrenches on the links of each closure that keep all links in equilibrium."""
+        multipliers = self._answer(wrenches)
+        found = self._actions(multipliers, bodies)
+        # Forces that follow from the multipliers and do no work leave these as they are; other closures answer them.
+        left, more = multipliers, []
+        for c, inner in self.closures:
+            more.append(inner.besides([bodies[link] for link in c.links], left[: c.rows]))
+            left = left[c.rows :]
+        if not any(more):
+            return found
+        beside: dict[str, Wrench] = {}
+        for (c, _), extra in zip(self.closures, more, strict=True):
+            for link, wrench in zip(c.links, extra, strict=False):
+                beside[link] = beside[link].plus(wrench) if link in beside else wrench
+        answers = self._actions(self._answer(beside), bodies)
+        return [
+            [own.plus(answer).plus(extra[k]) if extra else own.plus(answer) for k, (own, answer) in enumerate(pairs)]
+            for pairs, extra in (
+                (list(zip(a, b, strict=True)), e) for a, b, e in zip(found, answers, more, strict=True)
+            )
+        ]
+
+    def _answer(self, wrenches: dict[str, Wrench]) -> list[Scalar]:
+        """The multipliers of all equations that keep the links in equilibrium under wrenches."""
         works = [
             sum((field[link].work(wrench) for link, wrench in wrenches.items() if link in field), 0.0)
             for field in self.fields
         ]
-        left = [-m for m in self.factor.solve(works, transposed=True)]
+        return [-m for m in self.factor.solve(works, transposed=True)]
+
+    def _actions(self, left: list[Scalar], bodies: dict[str, Body]) -> list[list[Wrench]]:
         found = []
         for c, inner in self.closures:
             found.append(inner.actions([bodies[link] for link in c.links], left[: c.rows]))
