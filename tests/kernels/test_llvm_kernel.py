@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import ctypes
+import gc
 import platform
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
+from threading import Barrier
 from typing import Any
 
 import numpy as np
@@ -15,13 +17,14 @@ import pytest
 from helpers.compiled import compiled_from
 from helpers.examples import heavy_four_bar
 from helpers.programs import EVERY, rows_of
+from linkwright.blocks import moments_code
 from linkwright.compilation import compile_mechanism
 from linkwright.graph.program import Program
 from linkwright.kernels import Compiled
 from linkwright.kernels.llvm_entries import text
 from linkwright.kernels.llvm_kernel import FEW, PAST, LlvmKernel, PoseFunction
 from linkwright.kernels.llvm_source import CACHED, LANES, LONGEST, KernelSource
-from linkwright.kernels.machine_code import Machine, this_machine
+from linkwright.kernels.machine_code import Machine, MachineCode, this_machine
 from linkwright.kernels.numpy_blocks import NumpyKernel
 from linkwright.kernels.threaded import EVEN, FEWEST, spread, stretches
 from linkwright.model.document import load
@@ -129,6 +132,35 @@ def test_samples_are_stored_past_the_cache(shared: bool, poses: int, four_bar: C
 def test_threads_give_the_same_bits(workers: int, four_bar: Compiled, kernel: LlvmKernel) -> None:
     x = four_bar.inputs(np.linspace(0.1, 60.0, 3 * FEWEST + 17))
     assert np.array_equal(spread(kernel, x, four_bar.parameters, workers=workers), kernel.run(x, four_bar.parameters))
+
+
+def test_code_stays_while_it_is_called() -> None:
+    """Its call alone keeps the engine, without the object or what caches it."""
+    text_ = "define void @run(i64 %a) {\nentry:\nret void\n}\n"
+    call = MachineCode(text_, [False], this_machine()).call
+    gc.collect()
+    for _ in range(3):
+        MachineCode(text_, [False], this_machine())  # would take the same place
+    call(1)
+    assert isinstance(call.__self__, MachineCode)  # type: ignore[attr-defined]
+
+
+def test_moments_made_by_several_threads_at_once() -> None:
+    """Each thread may find that none is there and make its own, of which one stays."""
+    y = np.random.default_rng(0).standard_normal((2, 40, 50))
+
+    def counted(_: int) -> Any:
+        state = [np.zeros((2, 50), dtype=np.float64 if number else np.int64) for number in moments_code.STATE.values()]
+        waiting.wait()
+        moments_code.add(y, 0, state)
+        return state
+
+    for _ in range(5):
+        moments_code._code.cache_clear()
+        waiting = Barrier(4)
+        with ThreadPoolExecutor(4) as pool:
+            first, *others = pool.map(counted, range(4))
+        assert all(np.array_equal(a, b) for other in others for a, b in zip(first, other, strict=True))
 
 
 @pytest.mark.parametrize("poses", [0, 1, FEWEST - 1, 2 * FEWEST, 10 * FEWEST + 3])

@@ -73,7 +73,12 @@ class MachineCode:
             self._engine.finalize_object()
             self.address: int = self._engine.get_function_address("run")
         kinds = [ctypes.c_void_p if pointer else ctypes.c_int64 for pointer in arguments]
-        self.call: Callable[..., None] = ctypes.CFUNCTYPE(None, *kinds)(self.address)
+        self._function: Callable[..., None] = ctypes.CFUNCTYPE(None, *kinds)(self.address)
+
+    def call(self, *arguments: int) -> None:
+        """Run it. Whoever holds this method holds the engine, too: code that nobody else keeps, as where two threads
+        made it at once, must not go while it runs."""
+        self._function(*arguments)
 
 
 def aligned(count: int) -> Array:
