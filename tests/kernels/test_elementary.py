@@ -246,7 +246,7 @@ def test_no_function_of_the_library_is_called() -> None:
     program = Program((), stage, tuple("abcd"), (), tuple("abcd"))
     made = text(KernelSource(program, "apart", Machine(8, False, "", "")))
     called = set(re.findall(r"call \S+(?: x double>)? @([\w.]+)", made))
-    assert called <= {"llvm.fabs.v8f64", "llvm.sqrt.v8f64", "load", "save", "block_own0"}
+    assert called <= {"llvm.fabs.v8f64", "llvm.sqrt.v8f64", "load", "save", "single", "stream", "block_own0"}
 
 
 if __name__ == "__main__":

@@ -82,7 +82,9 @@ def laws(q: Quantities, folder: Path | None, named: bool) -> tuple[Laws, list[Fi
     motions, unmade = motion_laws(q)
     drives, unstated = drive_laws(q, folder, motions, named=named)
     tables, unread = action_tables(q, folder)
-    wrong = [*check_values(q), *unmade, *unstated, *follower_faults(q, motions, drives, named=named)]
+    wrong = [*check_values(q), *unmade, *unstated]
+    # Where a number or a law is wrong, so are the values of followers.
+    wrong += follower_faults(q, motions, {} if wrong else drives, named=named)
     return Laws(drives, motions, tables), [*wrong, *(fault for fault in unread if fault not in wrong)]
 
 
