@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from linkwright.findings import Said
 from linkwright.presentation.html_file import html_file
-from linkwright.presentation.languages import Differences, Element, element, replacements
+from linkwright.presentation.languages import Differences, Element, element, replacements, without_keys
 
 TEXTS = st.sampled_from(["Value", "数值", "<b> & 'x'", "3.5", " ", "Time"])
 
@@ -112,3 +112,8 @@ def test_a_page_has_a_choice_of_all_languages() -> None:
 def test_markup_that_does_not_nest_is_an_error() -> None:
     with pytest.raises(IndexError):
         element("</p></p>")
+
+
+def test_words_without_keys_have_the_order_in_which_scripts_sort() -> None:
+    """Of UTF-16, in which rare letters stand before some others."""
+    assert without_keys({"b": 1, "a": {"\uffee": 2, "\U00020000": (3, {"k": 4})}, "10": [5]}) == [[5], [[3, [4]], 2], 1]

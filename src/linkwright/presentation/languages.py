@@ -110,7 +110,7 @@ def in_all_languages(title: object, body: Callable[[], str], words: Callable[[],
                 others[tag] = {
                     "title": str(title),
                     "choice": str(Said("language.choice")),
-                    "words": words(),
+                    "words": without_keys(words()),
                     "texts": replacements(found.texts),
                     "attributes": {
                         key: some for key, pairs in found.attributes.items() if (some := replacements(pairs))
@@ -123,6 +123,13 @@ def in_all_languages(title: object, body: Callable[[], str], words: Callable[[],
     label = markup(Said("language.choice"))
     nav = f'<nav class="languages screen" aria-label="{label}" hidden>{"".join(choice)}</nav>'
     return f"{nav}\n{here}\n{data_block('languages', {'words': words(), 'others': others})}"
+
+
+def without_keys(value: Any) -> Any:
+    """Plain data whose mappings are lists of their values, in the order of the keys as scripts sort them (UTF-16)."""
+    if isinstance(value, Mapping):
+        return [without_keys(value[key]) for key in sorted(value, key=lambda key: str(key).encode("utf-16-be"))]
+    return [without_keys(one) for one in value] if isinstance(value, list | tuple) else value
 
 
 def replacements(pairs: Pairs) -> Replaced:

@@ -32,7 +32,8 @@ def centrodes(result: Result, size: float) -> list[Centrode]:
         x, y, u, v = _cut(np.array(pole), omega, (low + high) / 2, (high - low) / 2 + FAR * extent) / size
         known = np.isfinite(x)
         if known.sum() > 1 and max(np.ptp(x[known]), np.ptp(y[known])) * size > 1e-6 * extent:
-            drawn.append({"link": link, "x": listed(x), "y": listed(y), "u": listed(u), "v": listed(v)})
+            point = next(iter(run.compiled.mechanism.links[link].points), "")
+            drawn.append({"link": link, "point": point, "x": listed(x), "y": listed(y), "u": listed(u), "v": listed(v)})
     return drawn
 
 

@@ -75,10 +75,12 @@ class Trace(TypedDict):
 class Centrode(TypedDict):
     """The paths of a link's instant centre: in the world (``x``, ``y``) and in the link's own axes (``u``, ``v``).
 
-    In the length unit, one entry per pose. The moving one rolls on the fixed one.
+    In the length unit, one entry per pose. The moving one rolls on the fixed one. ``point`` is one of the link: by its
+    velocity a page finds the centre of a changed mechanism.
     """
 
     link: str
+    point: str
     x: Values
     y: Values
     u: Values

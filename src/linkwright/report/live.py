@@ -8,6 +8,7 @@ the nominal parameters alone.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -49,7 +50,7 @@ def can_be_live(result: Result) -> bool:
     return not isinstance(run, Sweep) and run.start == 0.0 < run.stop and not run.compiled.passages.every
 
 
-def rounded(times: Array) -> Array:
+def rounded(times: Sequence[float] | Array) -> Array:
     """Times (s) of few digits, that are the same in a page."""
     return np.array([float(f"{time:.13g}") for time in times])
 
@@ -181,6 +182,27 @@ def pruned(value: Any) -> Any:
     return [pruned(one) for one in value] if isinstance(value, list) else value
 
 
+def even(times: Sequence[float]) -> object:
+    """Times (s) as their ends and number, where a page finds just these from that; else as they are."""
+    first, last, count = times[0], times[-1], len(times)
+    found = [first + (last - first) * k / max(count - 1, 1) for k in range(count)]
+    return {"from": first, "to": last, "count": count} if rounded(found).tolist() == [*times] else times
+
+
+def signals_by_owner(live: LiveData) -> dict[str, object]:
+    """The signals of each element: what their names have in common, and which of the lists of endings follows."""
+    endings: dict[tuple[str, ...], int] = {}
+    owners, rest = [], iter(live["signals"])
+    for owner in live["owners"]:
+        parts = [name.rpartition(".") for name in islice(rest, owner["count"])]
+        stems = {stem for stem, _, _ in parts}
+        whole = len(stems) > 1
+        own = tuple("".join(part) if whole else part[2] for part in parts)
+        stem = "" if whole else stems.pop()
+        owners.append([owner["kind"], owner["of"], stem, endings.setdefault(own, len(endings))])
+    return {"owners": owners, "endings": [*endings]}
+
+
 def packed(values: Sequence[object]) -> dict[str, object]:
     """A list in which few values recur: these, and the number of each entry's."""
     found = list(dict.fromkeys(values))
@@ -191,15 +213,17 @@ def without_values(scene: Scene) -> dict[str, object]:
     """A scene whose values the page computes."""
     links = [{key: value for key, value in link.items() if key != "pose"} for link in scene["links"]]
     traces = [{"name": trace["name"]} for trace in scene["traces"]]
-    rolling = [{key: _coarse(rows) for key, rows in one.items()} for one in scene.get("centrodes", ())]
+    rolling = [{"link": one["link"], "point": one["point"]} for one in scene.get("centrodes", ())]
     return {**scene, "time": [], "links": links, "traces": traces, "centrodes": rolling}
-
-
-def _coarse(rows: Any) -> Any:
-    """A row of a drawing with the digits that can be seen."""
-    return [value and float(f"{value:.5g}") for value in rows] if isinstance(rows, list) else rows
 
 
 def without_series(plots: Sequence[Plot]) -> list[dict[str, object]]:
     """Plots whose values the page computes; their titles are words."""
-    return [{**plot, "title": "", "series": [{"name": series["name"]} for series in plot["series"]]} for plot in plots]
+    return [
+        {
+            "group": plot["group"],
+            "unit": plot["unit"],
+            "series": [{"name": series["name"]} for series in plot["series"]],
+        }
+        for plot in plots
+    ]

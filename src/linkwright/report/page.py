@@ -14,7 +14,7 @@ from linkwright.presentation.scripts import built
 from linkwright.report import sections
 from linkwright.report.data import ReportData
 from linkwright.report.html_blocks import section
-from linkwright.report.live import packed, pruned, without_series, without_values
+from linkwright.report.live import even, packed, pruned, signals_by_owner, without_series, without_values
 from linkwright.report.signal_list import KINDS
 from linkwright.words import say
 
@@ -125,7 +125,9 @@ def page(data: ReportData) -> str:
             "live": True,
         }
         own: dict[str, object] = {key: value for key, value in live.items() if key != "code"}
+        own |= {"times": even(live["times"]), "signals": signals_by_owner(live)}
         own |= {"sizes": packed(live["sizes"]), "units": packed(live["units"])}
+        del own["owners"]
         sizes = [one["size"] or 1.0 for one in live["conditions"]]
         own["conditions"] = {
             "places": [one["place"] for one in live["conditions"]],

@@ -55,22 +55,22 @@ export function traces(facts: Facts, view: View, parent: Element): Layer {
   return { groups: parts.map(({ group }) => group), move };
 }
 
-/** The fixed and the moving centrode of each link, and its instant centre. */
-export function centrodes(facts: Facts, view: View, parent: Element): Layer {
-  const parts = facts.centrodes.map((centrode) => {
+/** The fixed and the moving centrode of those links that are `chosen`, and their instant centres. */
+export function centrodes(facts: Facts, view: View, chosen: readonly boolean[], parent: Element): Move {
+  const seen = facts.centrodes.filter((_, i) => chosen[i]);
+  const parts = seen.map((centrode) => {
     const link = facts.links.get(centrode.link)!;
     const group = svg("g", { class: `lw-centrode ${colourOf(facts, link)}` }, parent);
     svg("path", { class: "lw-fixed", d: linePath(centrode.x, centrode.y, view.toScreen) }, group);
     const local = ([u, v]: Point): Point => [view.k * u, -view.k * v];
     const moving = svg("path", { class: "lw-moving", d: linePath(centrode.u, centrode.v, local) }, group);
-    return { link, centrode, group, moving, dot: svg("circle", { r: DOT }, group) };
+    return { link, centrode, moving, dot: svg("circle", { r: DOT }, group) };
   });
-  const move: Move = (sample, f) => {
+  return (sample, f) => {
     for (const { link, centrode, moving, dot } of parts) {
       putShape(moving, poseOf(link, facts.times, sample, f), view);
       const at = spot(centrode.x, centrode.y, facts.times, sample, f);
       putCircle(dot, at && view.toScreen(at));
     }
   };
-  return { groups: parts.map(({ group }) => group), move };
 }

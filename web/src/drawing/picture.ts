@@ -10,7 +10,7 @@ import { dimensionLines } from "./dimension_lines.ts";
 import { shown, svg } from "./elements.ts";
 import { type Labels, labels } from "./labels.ts";
 import { openings } from "./openings.ts";
-import { areas, centrodes, type Layer, traces } from "./paths.ts";
+import { areas, centrodes, traces } from "./paths.ts";
 import { pinCircles } from "./pin_circles.ts";
 import { type Seen, usual } from "./seen.ts";
 import { springs } from "./springs.ts";
@@ -23,7 +23,6 @@ export interface Picture {
   readonly show: Move;
   readonly areas: readonly SVGGElement[];
   readonly traces: readonly SVGGElement[];
-  readonly centrodes: readonly SVGGElement[];
 }
 
 export interface Size {
@@ -34,6 +33,8 @@ export interface Size {
   readonly least?: number;
   readonly camera?: Camera;
   readonly seen?: Seen;
+  /** Which centrodes are to be seen. */
+  readonly rolling?: readonly boolean[];
   /** What of the world is to be seen, if not all the motion. */
   readonly box?: Box;
   /** What is to be compared with, as it was: a faint drawing behind. */
@@ -52,8 +53,6 @@ export interface Drawn extends Picture {
   readonly directions: Labels["directions"];
 }
 
-const NOTHING: Layer = { groups: [], move: () => {} };
-
 interface Original {
   readonly facts: Facts;
   readonly group: SVGGElement;
@@ -64,7 +63,7 @@ interface Original {
 export function draw(
   root: SVGSVGElement,
   facts: Facts,
-  { width, most, least, box, camera = HOME, seen = usual(), original = null, before = null }: Size,
+  { width, most, least, box, camera = HOME, seen = usual(), rolling = [], original = null, before = null }: Size,
   say: Say,
   ghosts: readonly number[] = [],
 ): Drawn {
@@ -79,13 +78,12 @@ export function draw(
   const compared = original && originalOf(original, view, r, before);
   if (compared) root.append(compared.group);
   const paths = traces(facts, view, root);
-  // Centrodes are recorded, and hidden where the motion is another one.
-  const rolling = original ? NOTHING : centrodes(facts, view, root);
+  const rolled = centrodes(facts, view, rolling, root);
   const layer = (name: string) => svg("g", { class: name }, root);
   const moves = [
     compared?.move ?? (() => {}),
     paths.move,
-    rolling.move,
+    rolled,
     bodies(facts, view, r, svg("g", {}, root)),
     springs(facts, view, r, root),
     pinCircles(facts, view, r, root),
@@ -106,7 +104,7 @@ export function draw(
     thin();
     shown(note, Boolean(facts.gaps[sample] || (f && facts.gaps[sample + 1])));
   };
-  const groups = { areas: behind, traces: paths.groups, centrodes: rolling.groups };
+  const groups = { areas: behind, traces: paths.groups };
   return { show, view, fitted, original: compared, ...groups, directions: names.directions };
 }
 

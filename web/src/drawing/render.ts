@@ -64,12 +64,10 @@ export function render({
     for (const listener of listeners) listener(now, nearest);
   };
   const switches = (): void => {
-    for (const kind of ["areas", "traces", "centrodes"] as const) {
-      picture![kind].forEach((group, i) => group.classList.toggle("lw-hidden", !ui[kind][i]!.checked || stale(kind)));
+    for (const kind of ["areas", "traces"] as const) {
+      picture![kind].forEach((group, i) => group.classList.toggle("lw-hidden", !ui[kind][i]!.checked));
     }
   };
-  /** Centrodes are recorded: those of a changed mechanism aren't known. */
-  const stale = (kind: string): boolean => kind === "centrodes" && original !== null;
   /** Of the stage, as it was last measured: to ask for it at each change would make the browser lay out twice. */
   let width = 0;
   const layout = (): void => {
@@ -77,10 +75,11 @@ export function render({
     drawn = 0;
     const { camera } = viewed;
     const wide = Math.round(width || stage.clientWidth) || 640;
-    const box = ui.centrodes.some((each) => each.checked) && !original ? facts.wide : facts.box;
-    for (const each of ui.centrodes) each.disabled = stale("centrodes");
+    const rolling = ui.centrodes.map((each) => each.checked);
+    const box = rolling.includes(true) ? facts.wide : facts.box;
     const before = picture ?? null;
-    picture = draw(drawing, facts, { width: wide, ...viewed.heights(), box, camera, seen, original, before }, say);
+    const size = { width: wide, ...viewed.heights(), box, camera, seen, rolling, original, before };
+    picture = draw(drawing, facts, size, say);
     switches();
     show();
     row.update(facts, wide);

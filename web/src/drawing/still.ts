@@ -27,8 +27,7 @@ export function still(options: StillOptions): SVGSVGElement {
   const count = Math.max(Math.min(ghosts, sound.length - 1), 0);
   const faint = Array.from({ length: count }, (_, i) => sound[Math.floor(((i + 1) * sound.length) / (count + 1))]!);
   const { drawing } = frame(el, say);
-  const { show, centrodes, view } = draw(drawing, facts, { width, most: height, seen }, say, faint);
-  for (const group of centrodes) group.remove();
+  const { show, view } = draw(drawing, facts, { width, most: height, seen }, say, faint);
   arrowKeys(facts, view, seen.arrows, say, drawing);
   show(sound[0] ?? 0, 0);
   return drawing;

@@ -2,6 +2,7 @@
 
 import type { LinkData, Point, PoseRows, Scene, Values } from "../scene/data.ts";
 import type { Motion } from "../program/mechanism.ts";
+import { centrodesOf } from "./live_centrodes.ts";
 import type { LiveModel } from "./live_model.ts";
 
 /** A row in another unit. */
@@ -32,9 +33,10 @@ export function sceneOf(base: Scene, live: LiveModel, motion: Motion = live.moti
     x: scaled(live.signal(`${name}.x`, motion)!, data.length),
     y: scaled(live.signal(`${name}.y`, motion)!, data.length),
   }));
+  const centrodes = centrodesOf(base.centrodes ?? [], links, live, motion);
   const time = data.times.map((each) => each / data.second);
   const values = valuesOf(base, live, motion);
-  return { ...base, links, joints, traces, time, values, open: openings(motion, time.length) };
+  return { ...base, links, joints, traces, centrodes, time, values, open: openings(motion, time.length) };
 }
 
 /** The outlines of a link that can be computed: those of cams and their rollers. */

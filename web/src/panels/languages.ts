@@ -9,6 +9,7 @@ interface OtherLanguage {
   readonly title: string;
   /** What the choice of languages is called. */
   readonly choice: string;
+  /** As those of the present language, without their keys. */
   readonly words: unknown;
   readonly texts: Replaced;
   /** By the attribute's name. */
@@ -40,7 +41,15 @@ export function chooseLanguage(): unknown {
     if (link.lang === root.lang) link.setAttribute("aria-current", "true");
   }
   choice.hidden = false;
-  return (other ?? languages).words;
+  return other ? withKeys(other.words, languages.words) : languages.words;
+}
+
+/** Data whose objects are lists of their values, with the keys of other data of this kind. */
+export function withKeys(values: unknown, like: unknown): unknown {
+  if (!Array.isArray(values) || like === null || typeof like !== "object") return values;
+  if (Array.isArray(like)) return values.map((value, i) => withKeys(value, like[i]));
+  const keys = Object.keys(like).sort();
+  return Object.fromEntries(keys.map((key, i) => [key, withKeys(values[i], like[key as keyof typeof like])]));
 }
 
 function translate(other: OtherLanguage): void {

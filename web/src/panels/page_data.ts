@@ -1,6 +1,7 @@
 // What the page brings for its scripts: the data as JSON, its words in the language that is shown.
 
 import type { LiveData } from "../live/live_data.ts";
+import { type List, type Packed, signalsOf, timesOf, unpacked } from "../live/packed.ts";
 import type { LiveMeasure, LiveNumber, LiveRow } from "../measures/measure.ts";
 import type { Plot, Scene, Texts, TimeAxis } from "../scene/data.ts";
 import type { RawCharts } from "../plots/study_raw.ts";
@@ -43,16 +44,19 @@ declare global {
   var linkwrightWords: PageWords;
 }
 
+/** The data as they stand in the page, without words. */
+type Stated = Omit<PageData, "live" | "plots"> & { plots: readonly Omit<Plot, "title">[]; live?: boolean };
+
 /** The data in the words of the language. */
 export function pageData(words: PageWords): PageData {
-  const { time, scene, plots, first = [], live } = read("#data") as Omit<PageData, "live"> & { live?: boolean };
+  const { time, scene, plots, first = [], live } = read("#data") as Stated;
   const areas = scene.areas?.map((area, i) => ({ ...area, name: words.areas[i] ?? area.name }));
   const data = live ? liveData(read("#live") as Packed) : null;
   const values = data ? data.times.map((each) => each / data.second) : time.values;
   return {
     time: { ...time, values, label: words.time },
     scene: areas ? { ...scene, areas } : scene,
-    plots: plots.map((plot, i) => ({ ...plot, title: words.titles[i] ?? plot.title })),
+    plots: plots.map((plot, i) => ({ ...plot, title: words.titles[i] ?? "" })),
     first,
     ...(data ? { live: data } : {}),
   };
@@ -61,24 +65,12 @@ export function pageData(words: PageWords): PageData {
 /** The charts of studies, on a page that has some. */
 export const chartData = (): RawCharts => read("#charts") as RawCharts;
 
-/** Lists in which few values recur have these, and the number of each entry's. */
-interface List<T> {
-  readonly of: readonly T[];
-  readonly at: readonly number[];
-}
-type Packed = Omit<LiveData, "sizes" | "units" | "conditions"> & {
-  readonly sizes: List<number>;
-  readonly units: List<string>;
-  readonly conditions: { readonly places: readonly string[]; readonly sizes: List<number> };
-};
-
-export const unpacked = <T>({ of, at }: List<T>): T[] => at.map((i) => of[i]!);
-
 function liveData(data: Packed): LiveData {
   const measures = data.measures.map((measure) => ({ ...NOTHING, ...measure, ...stated(measure) }));
   const numbers = data.numbers.map((number) => ({ ...PLAIN, ...number }));
   const conditions = { places: data.conditions.places, sizes: unpacked(data.conditions.sizes) };
-  return { ...data, measures, numbers, conditions, sizes: unpacked(data.sizes), units: unpacked(data.units) };
+  const lists = { ...signalsOf(data.signals), sizes: unpacked(data.sizes), units: unpacked(data.units) };
+  return { ...data, ...lists, times: timesOf(data.times), measures, numbers, conditions };
 }
 
 const PLAIN = { tolerance: null, named: false, locked: false, unit: "" };

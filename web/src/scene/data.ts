@@ -56,9 +56,11 @@ export interface Trace {
   readonly y: Values;
 }
 
-/** The paths of a link's instant centre: in the world (x, y) and in the link's own axes (u, v). */
+/** The paths of a link's instant centre: in the world (x, y) and in the link's own axes (u, v). `point`: one of the
+ * link, by whose velocity the centre is found anew. */
 export interface Centrode {
   readonly link: string;
+  readonly point: string;
   readonly x: Values;
   readonly y: Values;
   readonly u: Values;
