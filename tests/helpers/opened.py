@@ -58,6 +58,15 @@ class OpenedDrawing(Opened):
     def at(self, index: int) -> None:
         self.page.evaluate("i => linkwright.drawing.setIndex(i)", index)
 
+    def set(self, name: str, value: float) -> None:
+        """Give a named number of the file another value (SI)."""
+        self.page.evaluate(
+            """([name, value]) => { const { live } = linkwright;
+            live.set(live.data.numbers.findIndex(each => each.name === name), value); }""",
+            [name, value],
+        )
+        self.settle()
+
     def change(self, label: str, factor: float) -> None:
         """Multiply a number of the file."""
         self.page.evaluate(

@@ -21,7 +21,8 @@ from linkwright.kernels.page_programs import page_programs
 from linkwright.model.document import Document
 from linkwright.model.named_numbers import named_numbers
 from linkwright.report.build import report_data
-from linkwright.report.cam_shapes import LiveOutline, cam_shapes, live_outlines
+from linkwright.report.cam_shapes import cam_shapes, live_cam_shapes
+from linkwright.report.outlines import LiveOutline
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SETS = 6
@@ -53,7 +54,7 @@ def test_profiles_are_those_of_python_at_random_parameters(guide: str, touch: st
         data = pair(guide, touch, side, sense)
         compiled = compiled_with_numbers(data)
         (name,) = data["cams"]
-        profile, *rollers = live_outlines(compiled)
+        profile, *rollers = live_cam_shapes(compiled)
         assert profile.link == "disc" and len(rollers) == (touch == "roller")
         found = 0
         for seed in range(SETS):
@@ -73,9 +74,9 @@ def test_profiles_are_those_of_python_at_random_parameters(guide: str, touch: st
 
 def test_a_groove_has_both_flanks_and_pairs_of_discs_are_left_out() -> None:
     groove = compiled_with_numbers(pair("swinging", "roller", closed="groove"))
-    assert [np.shape(at(one, groove.quantities.parameters))[0] for one in live_outlines(groove)] == [2, 1]
+    assert [np.shape(at(one, groove.quantities.parameters))[0] for one in live_cam_shapes(groove)] == [2, 1]
     conjugate = compiled_with_numbers(closed_pair("swinging", "roller"))
-    assert live_outlines(conjugate) == []
+    assert live_cam_shapes(conjugate) == []
 
 
 @pytest.mark.parametrize("touch", ["roller", "face"])
@@ -85,7 +86,7 @@ def test_a_yoke_has_its_disc_and_both_rollers(touch: str) -> None:
     data = pair("sliding", touch, closed="yoke")
     data["laws"]["lift"]["segments"] = segments
     compiled = compiled_with_numbers(data)
-    recorded, found = cam_shapes(compiled, 1.0), live_outlines(compiled)
+    recorded, found = cam_shapes(compiled, 1.0), live_cam_shapes(compiled)
     assert [one.link for one in found] == [*recorded]
     for one in found:
         lines = at(one, compiled.quantities.parameters)
@@ -100,7 +101,7 @@ def test_they_are_what_a_report_shows(example: str) -> None:
     compiled = compiled_with_numbers(document.model_dump(by_alias=True, exclude_unset=True))
     recorded = cam_shapes(compiled, 1.0)
     shown: dict[str, list[Any]] = {}
-    for one in live_outlines(compiled):
+    for one in live_cam_shapes(compiled):
         shown.setdefault(one.link, []).extend(at(one, compiled.quantities.parameters))
     assert shown.keys() == recorded.keys()
     for link, lines in recorded.items():

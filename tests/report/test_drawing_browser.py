@@ -341,10 +341,6 @@ def test_cylinders_are_barrel_and_rod(show: Any) -> None:
         assert view.page.evaluate(inside)
 
 
-SET = """([name, value]) => { const { live } = linkwright;
-  live.set(live.data.numbers.findIndex(each => each.name === name), value); }"""
-
-
 @pytest.mark.parametrize(
     ("name", "changes"),
     [("paper_feeder", {"AB": 144, "AD": 321}), ("slider_crank", {"e": 30}), ("jansen_leg", {"m": 15.3})],
@@ -367,8 +363,7 @@ def test_centrodes_of_a_changed_mechanism(show: Any, name: str, changes: dict[st
             assert (np.isfinite(here) == np.isfinite(there)).all()
             assert np.nanmax(np.abs(here - there)) < 1e-6 * np.nanmax(np.abs(there))
         for label, value in changes.items():
-            view.page.evaluate(SET, [label, value / 1e3])
-        view.settle()
+            view.set(label, value / 1e3)
         model = stated.replace(**changes)
         outcomes = lw.run(model).outcomes
 

@@ -4,7 +4,8 @@ import { type Choice, keyOf, overlaid, read, without, written } from "../src/plo
 import { chartSvg } from "../src/plots/chart_svg.ts";
 import { csvText, fileUnit } from "../src/plots/csv.ts";
 import { curvesOf, overSignal, overTime } from "../src/plots/curves.ts";
-import { extent, monotonePieces, sampleAt } from "../src/plots/monotone.ts";
+import { extent } from "../src/scene/numbers.ts";
+import { monotonePieces, sampleAt } from "../src/plots/monotone.ts";
 import { polarView } from "../src/plots/polar.ts";
 import { search } from "../src/plots/search.ts";
 import { recordedSignals, type Signals } from "../src/plots/signals.ts";

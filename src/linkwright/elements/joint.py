@@ -228,6 +228,20 @@ class Rate(NamedTuple):
 Reaction = Callable[[str], Wrench]
 
 
+class Curve(NamedTuple):
+    """A line that is drawn on a link: an open one becomes a slot, a closed one is drawn as it is.
+
+    ``place`` gives its places (m) in the link's axes at values of a parameter that runs between two ``ends``; they may
+    be numbers, arrays or symbols.
+    """
+
+    link: str
+    place: Callable[[Scalar], Pair]
+    ends: tuple[Scalar, Scalar]
+    closed: bool = False
+    points: int = 65
+
+
 class JointKind(ABC):
     """A kind of joint; stateless. ``bodies`` are those of the links, by name.
 
@@ -319,9 +333,9 @@ class JointKind(ABC):
         """One of its signals; ``reaction`` gives the wrench of one of its links on the joint."""
         raise NotImplementedError
 
-    def outline(self, geometry: JointGeometry, joint: str, low: float, high: float) -> Sequence[tuple[str, Array]]:
-        """What is drawn of it: lines on links, (link, places (2, n)), between the lowest and the highest travel (m; NaN
-        without a signal ``s``). An open line becomes a slot, a closed one is drawn as it is."""
+    def outline(self, geometry: JointGeometry, joint: str, low: Scalar, high: Scalar) -> Sequence[Curve]:
+        """What is drawn of it: lines on links, between the lowest and the highest travel (m; NaN without a signal
+        ``s``). A page asks with symbols, so that the lines follow when a number of the file is changed."""
         return ()
 
     @abstractmethod

@@ -24,6 +24,7 @@ from linkwright.elements.entries import JointEntry, NumberFault
 from linkwright.elements.joint import (
     Array,
     ContactReaction,
+    Curve,
     Inner,
     JointGeometry,
     JointKind,
@@ -156,6 +157,10 @@ class StraightSlot:
         """The normal to the left of the travel."""
         return Pair(0.0, 1.0)
 
+    def place(self, travel: Scalar) -> Pair:
+        """Where the travel (m) leads."""
+        return Pair(travel, 0.0)
+
 
 @dataclass(frozen=True)
 class CircularSlot:
@@ -175,6 +180,10 @@ class CircularSlot:
     def normal(self, x: Scalar, y: Scalar) -> Pair:
         size = call("sqrt", x * x + y * y)
         return Pair(-x / size, -y / size)
+
+    def place(self, travel: Scalar) -> Pair:
+        turn = travel / self.radius
+        return Pair(self.radius * call("cos", turn), self.radius * call("sin", turn))
 
 
 @dataclass(frozen=True)
@@ -224,6 +233,9 @@ class SplineSlot:
         t = x - knot
         found: Jet = (t * (3.0 * d) + 2.0 * c) * t + b if rate else ((t * d + c) * t + b) * t + a
         return found
+
+    def place(self, travel: Scalar) -> Pair:
+        return Pair(travel, self.height(Jet([travel])).d[0])
 
     def steepness(self, x: Scalar) -> Scalar:
         """The length of the curve over that of the axis there: sqrt(1 + slope^2)."""
@@ -310,18 +322,18 @@ class PinInSlot(JointKind):
         # Reported is the force of the pinned link on the slot, which answers with the opposite.
         return -reaction(a).force.dot(normal.rotated(bodies[b].direction(inner.heading).now))
 
-    def outline(self, geometry: JointGeometry, joint: str, low: float, high: float) -> list[tuple[str, Array]]:
-        """The slot's centre line between two travels (m), on the slotted link."""
+    def outline(self, geometry: JointGeometry, joint: str, low: Scalar, high: Scalar) -> list[Curve]:
+        """The slot's centre line, on the slotted link."""
         entry = geometry.mechanism.joints[joint]
-        base, heading, slot = _slot(geometry, entry, entry.links[1])
-        s = np.linspace(low, high, 65)
-        if isinstance(slot, CircularSlot):
-            turn = s / float(slot.radius)
-            x, y = float(slot.radius) * np.cos(turn), float(slot.radius) * np.sin(turn)
-        else:
-            x, y = s, np.zeros(s.size) if isinstance(slot, StraightSlot) else np.asarray(slot.height(Jet([s])).d[0])
-        c, n = (np.array([[float(v.x)], [float(v.y)]]) for v in (heading, heading.perp))
-        return [(entry.links[1], np.array([[float(base.x)], [float(base.y)]]) + c * x + n * y)]
+        link = entry.links[1]
+        base, heading, slot = _slot(geometry, entry, link)
+        across = heading.perp
+
+        def place(travel: Scalar) -> Pair:
+            x, y = slot.place(travel)
+            return Pair(base.x + heading.x * x + across.x * y, base.y + heading.y * x + across.y * y)
+
+        return [Curve(link, place, (low, high))]
 
     # The proof: the pin's place in the slot and its normal once more, from reported poses, in plain NumPy.
 

@@ -225,12 +225,17 @@ class LiveCondition(TypedDict):
 
 
 class LiveOutline(TypedDict):
-    """Closed ``lines`` (how many) on a ``link``, such as a cam's: the ``inputs`` of their program at each place of
-    them."""
+    """The ``lines`` (how many) on a ``link``, such as a cam's: the ``inputs`` of their program at each place of them.
+
+    With the name of a signal as ``travel`` its lowest and highest value are inputs, too. With a ``width`` (m) lines are
+    open, and drawn as slots.
+    """
 
     link: str
     lines: int
     inputs: Sequence[Sequence[float]]
+    travel: NotRequired[str]
+    width: NotRequired[float]
 
 
 class LiveData(TypedDict):

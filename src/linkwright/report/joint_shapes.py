@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.elements.joint import Curve, JointKind
 from linkwright.graph.geometry import Geometry
-from linkwright.report.cam_shapes import Shapes
+from linkwright.kernels import Compiled
+from linkwright.report.outlines import LiveOutline, Shapes, outline_program
 from linkwright.results import Result
 from linkwright.structure import FRAME
 from linkwright.structure.topology import Topology
+
+Array = NDArray[np.float64]
 
 WIDTH = 0.03
 """Width of a slot over the size of what is drawn."""
@@ -35,13 +42,37 @@ def joint_shapes(result: Result, size: float, extent: float) -> Shapes:
     for name, entry in compiled.mechanism.joints_but_pins():
         low = high = np.nan
         if "s" in entry.signals:
-            travel: NDArray[np.float64] = result[f"{name}.s"]
+            travel: Array = result[f"{name}.s"]
             low, high = float(np.nanmin(travel)), float(np.nanmax(travel))
         kind = compiled.structure.topology.kind_of(name)
-        for link, line in kind.outline(geometry, name, low, high):
-            drawn = line.T
-            if not np.array_equal(drawn[0], drawn[-1]):
+        for curve in kind.outline(geometry, name, low, high):
+            first, last = curve.ends
+            at = first + (last - first) * _shares(curve)
+            drawn = np.column_stack([value + 0.0 * at for value in curve.place(at)])
+            if not curve.closed:
                 ring = shapely.LineString(drawn).buffer(WIDTH / 2 * extent, quad_segs=ROUND).exterior
-                drawn = np.array(ring.coords)
-            found.setdefault(link, []).append((drawn[:-1] / size).tolist())
+                drawn = np.array(ring.coords)[:-1]
+            found.setdefault(curve.link, []).append((drawn / size).tolist())
     return found
+
+
+def live_joint_shapes(compiled: Compiled) -> Iterator[LiveOutline]:
+    """The same at any parameters, of joints with a travel and of lines that don't depend on one."""
+    geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
+    for name, entry in compiled.mechanism.joints_but_pins():
+        kind, travel = compiled.structure.topology.kind_of(name), f"{name}.s" if "s" in entry.signals else ""
+        for k, curve in enumerate(kind.outline(geometry, name, 0.0, 1.0)):
+
+            def places(geometry: Geometry, x: list[Any], kind: JointKind = kind, name: str = name, k: int = k) -> Any:
+                share, *reach = x
+                one = kind.outline(geometry, name, *(reach or (np.nan, np.nan)))[k]
+                return [tuple(one.place(one.ends[0] + (one.ends[1] - one.ends[0]) * share))]
+
+            program = outline_program(compiled, 3 if travel else 1, places)
+            width = 0.0 if curve.closed else WIDTH * compiled.assembly.size()
+            yield LiveOutline(curve.link, program, _shares(curve)[:, None], travel, width)
+
+
+def _shares(curve: Curve) -> Array:
+    """Where between the ends of a line places of it are drawn."""
+    return np.linspace(0.0, 1.0, curve.points, endpoint=not curve.closed)

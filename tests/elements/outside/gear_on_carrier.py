@@ -13,11 +13,12 @@ from pydantic import BeforeValidator, Field
 
 from linkwright.elements import Inner, JointKind, register
 from linkwright.elements.entries import JointEntry
-from linkwright.elements.joint import Miss, Rate
+from linkwright.elements.joint import Curve, Miss, Rate
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Name
 from linkwright.expressions.typed_fields import Quantity, Ref, Sign
-from linkwright.notation import Jet
+from linkwright.notation import Jet, Pair
+from linkwright.notation.jets import call
 
 _Link = Annotated[Name, Ref("link")]
 
@@ -83,7 +84,7 @@ class GearOnCarrier(JointKind):
         entry = geometry.mechanism.joints[joint]
         return bodies[entry.links[0]].angle - bodies[entry.links[2]].angle
 
-    def outline(self, geometry: Any, joint: str, low: float, high: float) -> list[tuple[str, Any]]:
+    def outline(self, geometry: Any, joint: str, low: Any, high: Any) -> list[Curve]:
         """Both pitch circles, where the carrier has the centres."""
         entry = geometry.mechanism.joints[joint]
         a, b, carrier = entry.links
@@ -91,11 +92,10 @@ class GearOnCarrier(JointKind):
         if not geometry.mechanism.links[carrier].points.keys() >= {*centres}:
             return []
         away = geometry.point(carrier, centres[1]).minus(geometry.point(carrier, centres[0]))
-        radius = float(np.hypot(*away)) / (1.0 + float(geometry.number(entry.ratio, u.PURE)))
-        around, found = np.linspace(0.0, 2 * np.pi, 49), []
-        for link, point, size in ((a, centres[0], radius), (b, centres[1], float(np.hypot(*away)) - radius)):
-            at, turned = geometry.point(link, point), around % (2 * np.pi)
-            found.append((link, np.array([at.x + size * np.cos(turned), at.y + size * np.sin(turned)], dtype=float)))
+        radius = call("hypot", *away) / (1.0 + geometry.number(entry.ratio, u.PURE))
+        found = []
+        for link, point, size in ((a, centres[0], radius), (b, centres[1], call("hypot", *away) - radius)):
+            found.append(Curve(link, _circle(geometry.point(link, point), size), (0.0, 2 * np.pi), closed=True))
         return found
 
     def misses(self, reports: Any, joint: str, links: Any) -> list[Miss]:
@@ -122,3 +122,7 @@ class GearOnCarrier(JointKind):
             reports.point_position(contact.link, reports.geometry.point(contact.link, point)),
             -moment,
         )
+
+
+def _circle(centre: Any, radius: Any) -> Any:
+    return lambda turn: Pair(centre.x + radius * call("cos", turn), centre.y + radius * call("sin", turn))

@@ -16,7 +16,7 @@ from pydantic import BeforeValidator, Field
 from linkwright.elements import Inner, JointKind, register
 from linkwright.elements.clearance import OnFlank, StatedClearance
 from linkwright.elements.entries import JointEntry
-from linkwright.elements.joint import Miss, Rate
+from linkwright.elements.joint import Curve, Miss, Rate
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, LineOn, Name
 from linkwright.expressions.typed_fields import Quantity, Sign
@@ -100,11 +100,16 @@ class PinOnWave(JointKind):
         turned = inner.normal(x.d[0]).rotated(bodies[b].direction(inner.heading).now)
         return -reaction(a).force.dot(turned)
 
-    def outline(self, geometry: Any, joint: str, low: float, high: float) -> list[tuple[str, Any]]:
+    def outline(self, geometry: Any, joint: str, low: Any, high: Any) -> list[Curve]:
         entry = geometry.mechanism.joints[joint]
-        inner, x = self.inner(geometry, joint, entry.links), np.linspace(low, high, 33)
-        (u_, v), y = inner.heading, float(inner.height) * np.sin(x * float(inner.per))
-        return [(entry.links[1], np.array([inner.base.x + u_ * x - v * y, inner.base.y + v * x + u_ * y], dtype=float))]
+        inner = self.inner(geometry, joint, entry.links)
+        (u_, v), base = inner.heading, inner.base
+
+        def place(x: Any) -> Pair:
+            y = inner.height * call("sin", x * inner.per)
+            return Pair(base.x + u_ * x - v * y, base.y + v * x + u_ * y)
+
+        return [Curve(entry.links[1], place, (low, high), points=33)]
 
     def misses(self, reports: Any, joint: str, links: Any) -> list[Miss]:
         return [Miss(seen(reports, joint)[2], length=True)]

@@ -1,6 +1,7 @@
 // The centrodes of a motion that the page computed: as report/centrodes.py finds and cuts those of the model file.
 
 import { type Centrode, known, type LinkData } from "../scene/data.ts";
+import { extent } from "../scene/numbers.ts";
 import type { Motion } from "../program/mechanism.ts";
 import type { LiveModel } from "./live_model.ts";
 
@@ -56,17 +57,11 @@ const off = (value: number, { centre, half }: Reach): number => Math.abs(value -
 /** The places, horizontal and vertical, that points reach and how far beyond them is still drawn (m). */
 function reaches(names: readonly string[], live: LiveModel, motion: Motion): [Reach, Reach] {
   const ends = ["x", "y"].map((axis) => {
-    let [low, high] = [Infinity, -Infinity];
-    for (const name of names) {
-      for (const value of live.signal(`${name}.${axis}`, motion) ?? []) {
-        if (value < low) low = value;
-        if (value > high) high = value;
-      }
-    }
-    return [low, high] as const;
+    const all = names.flatMap((name) => extent(live.signal(`${name}.${axis}`, motion) ?? []) ?? []);
+    return [Math.min(...all), Math.max(...all)] as const;
   });
-  const extent = Math.max(...ends.map(([low, high]) => high - low));
-  const [across, up] = ends.map(([low, high]) => ({ centre: (low + high) / 2, half: (high - low) / 2 + FAR * extent }));
+  const size = Math.max(...ends.map(([low, high]) => high - low));
+  const [across, up] = ends.map(([low, high]) => ({ centre: (low + high) / 2, half: (high - low) / 2 + FAR * size }));
   return [across!, up!];
 }
 

@@ -2,8 +2,10 @@
 
 import type { LinkData, Point, PoseRows, Scene, Values } from "../scene/data.ts";
 import type { Motion } from "../program/mechanism.ts";
+import { extent } from "../scene/numbers.ts";
 import { centrodesOf } from "./live_centrodes.ts";
 import type { LiveModel } from "./live_model.ts";
+import { slotAlong } from "./slot_shape.ts";
 
 /** A row in another unit. */
 const scaled = (row: Float64Array, size: number): Float64Array => row.map((value) => value / size);
@@ -39,11 +41,15 @@ export function sceneOf(base: Scene, live: LiveModel, motion: Motion = live.moti
   return { ...base, links, joints, traces, centrodes, time, values, open: openings(motion, time.length) };
 }
 
-/** The outlines of a link that can be computed: those of cams and their rollers. */
-function outlinesOf(link: string, { data, mechanism }: LiveModel, { parameters }: Motion): Point[][] | null {
-  const found = data.outlines.flatMap((one, i) =>
-    one.link === link ? mechanism.outline(i, one, parameters) : [],
-  );
+/** The outlines of a link that can be computed: those of cams and their rollers, slots, pitch circles. */
+function outlinesOf(link: string, live: LiveModel, motion: Motion): Point[][] | null {
+  const { data, mechanism } = live;
+  const found = data.outlines.flatMap((one, i) => {
+    if (one.link !== link) return [];
+    const reach = one.travel ? (extent(live.signal(one.travel, motion) ?? []) ?? [NaN, NaN]) : [];
+    const lines = mechanism.outline(i, one, motion.parameters, reach);
+    return one.width ? lines.map((line) => slotAlong(line, one.width! / 2)) : lines;
+  });
   const scaled = found.map((line) => line.map(([x, y]): Point => [x / data.length, y / data.length]));
   return scaled.length ? scaled : null;
 }

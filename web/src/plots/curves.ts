@@ -3,7 +3,8 @@
 import { known, type Values } from "../scene/data.ts";
 import { locate } from "../scene/times.ts";
 import { type Choice, unitsOf, viewOf } from "./choice.ts";
-import { extent, monotonePieces, type Piece } from "./monotone.ts";
+import { extent } from "../scene/numbers.ts";
+import { monotonePieces, type Piece } from "./monotone.ts";
 import "./of_studies.ts";
 import type { Look } from "./outline.ts";
 import type { Level, Place, Signals } from "./signals.ts";

@@ -63,15 +63,3 @@ function nearestIn(values: Values, from: number, to: number, place: number): num
   }
   return Math.abs(values[low]! - place) <= Math.abs(values[high]! - place) ? low : high;
 }
-
-/** The smallest and the largest of values, within some samples; null where there is none. */
-export function extent(values: Values, within: (k: number) => boolean = () => true): [number, number] | null {
-  let [low, high] = [Infinity, -Infinity];
-  for (let k = 0; k < values.length; k++) {
-    const value = known(values, k);
-    if (value === null || !within(k)) continue;
-    if (value < low) low = value;
-    if (value > high) high = value;
-  }
-  return low <= high ? [low, high] : null;
-}

@@ -5,7 +5,7 @@ import { known, type Values } from "../scene/data.ts";
 import type { Curves, Vector } from "./curves.ts";
 import { tick } from "./figure.ts";
 import { colourName, dash } from "./looks.ts";
-import { extent } from "./monotone.ts";
+import { extent } from "../scene/numbers.ts";
 import { element, pathOf, type Sheet, text } from "./svg_parts.ts";
 import { ticks } from "./ticks.ts";
 

@@ -36,6 +36,10 @@ export interface Outline {
   readonly link: string;
   readonly lines: number;
   readonly inputs: readonly (readonly number[])[];
+  /** The signal whose lowest and highest value are the last two inputs. */
+  readonly travel?: string;
+  /** Of open lines, which are drawn as slots, how wide (m). */
+  readonly width?: number;
 }
 
 /** How many programs there are of each kind, in the order of the array of programs. */

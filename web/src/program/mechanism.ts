@@ -130,15 +130,20 @@ export class Mechanism {
     return this.shapes;
   }
 
-  /** The places of closed lines (m), line by line, by their program and its inputs at each place; none where the
-   * parameters don't allow it. */
-  outline(number: number, { lines, inputs }: Outline, parameters: Float64Array): [number, number][][] {
+  /** The places of lines (m), line by line, by their program and its inputs at each place, with what else it asks for;
+   * none where the parameters don't allow it. */
+  outline(
+    number: number,
+    { lines, inputs }: Outline,
+    parameters: Float64Array,
+    others: readonly number[] = [],
+  ): [number, number][][] {
     const program = this.kinds["outlines"]![number]!;
     program.parameters(parameters);
     const out = new Float64Array(2 * lines);
     const found = Array.from({ length: lines }, (): [number, number][] => []);
     for (const at of inputs) {
-      program.pose(at, out);
+      program.pose(others.length ? [...at, ...others] : at, out);
       found.forEach((line, i) => line.push([out[2 * i]!, out[2 * i + 1]!]));
     }
     return found.filter((line) => line.every((at) => at.every((value) => Number.isFinite(value))));

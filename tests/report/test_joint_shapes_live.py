@@ -1,0 +1,72 @@
+"""Slots and other lines of joints in a live report: what the page draws at other numbers is what Python draws."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+import shapely
+
+import linkwright as lw
+from helpers.browsers import chromium
+from helpers.opened import OpenedDrawing, opened, written
+from linkwright.report.build import report_data
+
+pytestmark = pytest.mark.browser
+pytest.importorskip("playwright.sync_api")
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+OUTLINES = """() => Object.fromEntries(linkwright.drawing.scene.links.filter(l => l.outlines)
+  .map(l => [l.name, l.outlines]))"""
+ARC = "arc: {centre: M, radius: radius, start: 180 deg}"
+SPLINE = "curve: {along: M at 90 deg, through: [[-45, 3], [-10, 0], [radius/5, 1], [45, 6]]}"
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    yield from chromium()
+
+
+@pytest.fixture
+def show(browser: Any, tmp_path: Path) -> Iterator[Any]:
+    yield from opened(browser, written(tmp_path), OpenedDrawing)
+
+
+@pytest.mark.parametrize(
+    ("example", "changes", "slot"),
+    [
+        ("curved_slot", {"r": 27, "radius": 55}, ARC),
+        ("curved_slot", {"r": 28, "radius": 40}, SPLINE),
+        ("scotch_yoke", {"r": 44}, ARC),
+        ("slotted_lever", {"r": 80, "d": 250}, ARC),
+    ],
+)
+def test_slots_follow_a_change(show: Any, tmp_path: Path, example: str, changes: dict[str, float], slot: str) -> None:
+    """The page's edge is that of the changed file in Python, but that it stays as wide as in the original."""
+    text = (EXAMPLES / f"{example}.yaml").read_text(encoding="utf-8").replace(ARC, slot)
+    file = tmp_path / "model.yaml"
+    file.write_text(text, encoding="utf-8")
+    document = lw.load(file)
+    view = show(report_data(document, lw.run(document).outcomes, text=text))
+    before = view.page.evaluate(OUTLINES)
+    for name, value in changes.items():
+        view.set(name, value / 1e3)
+    after = view.page.evaluate(OUTLINES)
+    changed = document.replace(**changes)
+    job = lw.run(changed)
+    drawn = {
+        link["name"]: link["outlines"]
+        for link in report_data(changed, job.outcomes)["scene"]["links"]
+        if "outlines" in link
+    }
+    assert after.keys() == drawn.keys() == before.keys()
+    for link, lines in drawn.items():
+        for line, shown, was in zip(lines, after[link], before[link], strict=True):
+            edge, here, former = (shapely.LinearRing(each) for each in (line, shown, was))
+            width = edge.length and 2 * shapely.Polygon(line).area / edge.length
+            assert edge.hausdorff_distance(here) < 0.05 * width < 0.2 * edge.hausdorff_distance(former)
+    view.page.evaluate("linkwright.live.reset()")
+    view.settle()
+    assert view.page.evaluate(OUTLINES) == before
