@@ -19,6 +19,7 @@ from typing import Any
 import pytest
 
 import linkwright as lw
+from helpers.longer import mostly_long
 from helpers.workspaces import arm
 from linkwright.app.job import examine_file
 from linkwright.app.manifest import NAME
@@ -79,7 +80,7 @@ def contents(folder: Path) -> dict[str, bytes]:
 
 
 @pytest.mark.parametrize("times", TIMES)
-@pytest.mark.parametrize("case", CASES)
+@pytest.mark.parametrize("case", mostly_long(CASES, lambda case: case != "sweep"))
 def test_stopped_at_random_moments(
     case: str, times: int, processes: ForkServerContext, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

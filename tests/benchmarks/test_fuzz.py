@@ -40,6 +40,7 @@ def test_a_share_of_the_cases(seed: int, count: int) -> None:
     assert f"cases {count}, failures 0" in done.stdout
 
 
+@pytest.mark.long
 @posix
 def test_planted_faults_are_found() -> None:
     """Else the fuzzer is weak."""

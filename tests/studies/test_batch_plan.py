@@ -174,6 +174,7 @@ def test_higher_groups(made: Callable[[], Document]) -> None:
     assert bits(some.measuring.evaluate(some.p[:, 1:])) == bits(some.measuring.evaluate(some.p))[1:]
 
 
+@pytest.mark.long
 def test_a_drive_with_dwells() -> None:
     """Its law has corners that depend on the lengths; the dwell itself is taken of each sample on its own."""
     some = Batch.round_nominal("examples/paper_feeder_dwell.yaml", 0.01, 2)

@@ -8,7 +8,7 @@ from helpers.reach.cases import Case
 from helpers.reach.known import KNOWN, Known
 from helpers.reach.product import studied
 
-SLOW = ("area 1", "area 9", "nan 22")
+SLOW = ("area 1", "area 9", "area 14", "nan 22", "parts 10")
 """Which take longest."""
 CASES = [pytest.param(one, id=one.name, marks=[pytest.mark.long] if one.name in SLOW else []) for one in KNOWN]
 
