@@ -5,6 +5,7 @@ from linkwright.elements import (  # noqa: F401  (each registers itself)
     counterweight,
     coupling,
     friction,
+    gears,
     load,
     pin,
     pin_in_slot,

@@ -207,6 +207,12 @@ class JointReports(Protocol):
     def reaction(self, contact: Any) -> tuple[Array, Array | float]:
         """The reported force (N) of a contact's link on the other side, and its moment (N m; 0 where none is)."""
 
+    def contact(self, joint: str, link: str) -> Any:
+        """The contact of a link in a joint."""
+
+    def turned(self, link: str) -> Array:
+        """A link's angle (rad) over all turns since the first time, by its reported directions and rates."""
+
 
 class Miss(NamedTuple):
     """What a joint's links miss each other by, at some times: lengths (m) or pure numbers."""
@@ -335,6 +341,11 @@ class JointKind(ABC):
     @abstractmethod
     def applied(self, reports: JointReports, contact: ContactReaction) -> Applied:
         """What a reported reaction does: (link, force on it in N, place, moment)."""
+
+    def misfits(self, reports: JointReports, joint: str) -> list[Array]:
+        """By what reported reactions miss the law that they follow besides the closure (N), such as the pressure angle
+        of teeth."""
+        return []
 
 
 KINDS: Registry[JointKind] = Registry()

@@ -27,10 +27,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "60 mm, coefficient: 0.12}}}}'. linkwright has no friction of cams and pins in slots yet.",
     ),
     "element.gear": (
-        "'{name}': linkwright has no gears yet.",
-        "A pair of gears turns two links in a fixed ratio. If one is driven, couple the other to it under joints: 'mesh: "
-        "{{coupling: [gear2, frame], follows: -motor.angle*z1/z2}}'. The torque of the coupling is what the gears "
-        "transmit; the forces of the teeth aren't computed.",
+        "'{name}': gears are written under joints, as gears.",
+        "For example 'joints: {{mesh: {{gears: [pinion, wheel], centres: [A, D], teeth: [20, 40], module: 2 mm}}}}'; a planet "
+        "gear names its carrier, 'carrier: arm', and a ring 'internal: ring'. Of a gearbox of which only the ratio matters: "
+        "'{{coupling: [gear2, frame], follows: -motor.angle*z1/z2}}'.",
     ),
     "element.geneva": (
         "'{name}': linkwright has no Geneva drives yet.",

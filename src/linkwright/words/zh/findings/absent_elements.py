@@ -25,9 +25,9 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "coefficient: 0.12}}}}”。linkwright 尚不支持凸轮和销槽副的摩擦。",
     ),
     "element.gear": (
-        "“{name}”：linkwright 尚不支持齿轮。",
-        "一对齿轮使两个构件按固定传动比转动。若其中一个由驱动带动，在 joints 中使另一个与之联动：“mesh: {{coupling: [gear2, frame], follows: "
-        "-motor.angle*z1/z2}}”。联动的力矩即为齿轮所传递的力矩；齿面力不作计算。",
+        "“{name}”：齿轮副在 joints 中以 gears 定义。",
+        "例如“joints: {{mesh: {{gears: [pinion, wheel], centres: [A, D], teeth: [20, 40], module: 2 mm}}}}”；行星轮用“carrier: arm”给出行星架，"
+        "内齿圈用“internal: ring”给出。只关心传动比的减速器可用联动：“{{coupling: [gear2, frame], follows: -motor.angle*z1/z2}}”。",
     ),
     "element.geneva": (
         "“{name}”：linkwright 尚不支持槽轮机构。",

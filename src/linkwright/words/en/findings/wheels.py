@@ -1,0 +1,48 @@
+"""Problems of gears, racks, belts and rolling."""
+
+PROBLEMS: dict[str, tuple[str, str]] = {
+    "joint.carrier": (
+        "The carrier '{carrier}' isn't pinned to {wheel} at {centre}, so nothing keeps the centre distance.",
+        "Name the link that is pinned to both wheels at their centres, for example 'carrier: arm'; without carrier it is "
+        "the frame. Links that are: {able}.",
+    ),
+    "gears.size": (
+        "Gears need either teeth or pitch radii; given: {given}.",
+        "For example teeth: [20, 40] for the two gears in the order of gears (with module, if it is known), or "
+        "radii: [30, 60].",
+    ),
+    "gears.module": (
+        "A module is given, but no numbers of teeth.",
+        "Write teeth: [20, 40] instead of radii, or remove module.",
+    ),
+    "gears.internal": (
+        "The internal gear (ring) '{name}' isn't one of the two gears {gears}.",
+        "Write the link of the ring: for example gears: [planet, ring], internal: ring.",
+    ),
+    "gears.ring": (
+        "The ring {ring} isn't larger than the gear inside it.",
+        "Give the ring more teeth, or the larger radius, in the order of gears: gears: [planet, ring], teeth: [20, 80]. For "
+        "external gears remove internal.",
+    ),
+    "gears.whole": (
+        "A number of teeth isn't a whole number.",
+        "Write whole numbers, for example teeth: [20, 40]; a ratio of any value is given by radii.",
+    ),
+    "gears.pressure": (
+        "The pressure angle isn't between 0 and 90 deg.",
+        "Write the pressure angle of the teeth, mostly 20 deg; without module 0 deg for wheels without a separating force.",
+    ),
+    "gears.concentric": (
+        "The centres of both gears are at the same place of {carrier}.",
+        "Give the carrier two points at the centre distance of the gears. For wheels on one shaft, put both on one link.",
+    ),
+    "gears.distance": (
+        "The gears don't fit: their pitch radii give a centre distance of {radii}, but on {carrier} it is {distance}.",
+        "Change radii or the points of {carrier}; or give teeth instead, so that the pitch radii follow from the distance.",
+    ),
+    "gears.shift": (
+        "The gears don't fit: with this module their centre distance is {reference}, but on {carrier} it is {distance}.",
+        "Change module, teeth, or the points of {carrier}. Profile shift may change the distance by at most one module, "
+        "and the working pressure angle must exist: distance > reference distance times cos(pressure angle).",
+    ),
+}

@@ -1,0 +1,44 @@
+"""齿轮、齿条、带传动与滚动接触的问题。"""
+
+PROBLEMS: dict[str, tuple[str, str]] = {
+    "joint.carrier": (
+        "行星架（转臂）“{carrier}”未在 {centre} 处与 {wheel} 铰接，因此中心距没有保证。",
+        "用 carrier 给出在两轮中心处都与其铰接的构件，例如“carrier: arm”；不写 carrier 时为机架。满足条件的构件：{able}。",
+    ),
+    "gears.size": (
+        "齿轮副必须给出齿数或节圆半径之一；已给出：{given}。",
+        "例如 teeth: [20, 40]，按 gears 的顺序给出两轮齿数（已知模数时再给 module），或 radii: [30, 60]。",
+    ),
+    "gears.module": (
+        "给出了模数，但没有齿数。",
+        "用 teeth: [20, 40] 代替 radii，或删除 module。",
+    ),
+    "gears.internal": (
+        "内齿轮“{name}”不是这两个齿轮之一：{gears}。",
+        "写内齿圈所在的构件，例如 gears: [planet, ring], internal: ring。",
+    ),
+    "gears.ring": (
+        "内齿圈 {ring} 不大于其内部的齿轮。",
+        "按 gears 的顺序给内齿圈较多的齿数或较大的半径：gears: [planet, ring], teeth: [20, 80]。外啮合时请删除 internal。",
+    ),
+    "gears.whole": (
+        "齿数不是整数。",
+        "写整数，例如 teeth: [20, 40]；任意传动比请用 radii 给出。",
+    ),
+    "gears.pressure": (
+        "压力角不在 0 与 90 deg 之间。",
+        "写轮齿的压力角，通常为 20 deg；没有径向分离力的轮写 0 deg（此时不写 module）。",
+    ),
+    "gears.concentric": (
+        "两个齿轮的中心位于 {carrier} 的同一处。",
+        "在该构件上给出两个相距为中心距的点。同轴的轮请放在同一个构件上。",
+    ),
+    "gears.distance": (
+        "齿轮不匹配：由节圆半径得到的中心距为 {radii}，而 {carrier} 上的中心距为 {distance}。",
+        "修改 radii 或 {carrier} 上的点；也可改为给出 teeth，节圆半径由中心距得出。",
+    ),
+    "gears.shift": (
+        "齿轮不匹配：按此模数，标准中心距为 {reference}，而 {carrier} 上的中心距为 {distance}。",
+        "修改 module、teeth 或 {carrier} 上的点。变位引起的中心距变化最多为一个模数，且工作压力角必须存在：中心距大于标准中心距与压力角余弦之积。",
+    ),
+}

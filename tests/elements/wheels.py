@@ -1,0 +1,244 @@
+"""Mechanisms with wheels that drive each other, and what they keep and where they push, from raw geometry."""
+
+from __future__ import annotations
+
+import copy
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from helpers.newton_euler import Array, Gap, Oracle
+from helpers.plain import plain_of
+from helpers.toothed import Contact, Toothed
+
+UNITS = {"length": "mm", "angle": "deg", "mass": "kg", "time": "s", "force": "N", "torque": "N*m"}
+Start = dict[str, tuple[float, float, float]]
+
+
+@dataclass(frozen=True)
+class Wheels:
+    """A mechanism as a file has it, its ``start`` about (m, rad), and of each joint of wheels its gap and contact."""
+
+    data: dict[str, Any]
+    start: Start
+    gaps: dict[str, Gap]
+    contacts: dict[str, Contact] = field(default_factory=dict)
+
+    def oracle(self) -> Toothed:
+        """The mechanism from raw geometry."""
+        joints = {name: joint for name, joint in self.data.get("joints", {}).items() if name not in self.gaps}
+        return Toothed(plain_of({**self.data, "joints": joints}, self.start), self.gaps, self.contacts)
+
+    def studied(self, **studies: Any) -> dict[str, Any]:
+        """A file with a cycle of some turns."""
+        data = copy.deepcopy(self.data)
+        data["studies"] = {"cycle": {"duration": "2.5 s", "samples": 40}, **studies}
+        return data
+
+
+def body(points: dict[str, list[float]], mass: float, com: list[float], inertia: float) -> dict[str, Any]:
+    return {"points": points, "mass": mass, "com": com, "inertia": inertia}
+
+
+def rolled(a: str, b: str, carrier: str, first: float, second: float, drawn: float = 0.0) -> Gap:
+    """What passes at the pitch circle of one wheel but not at the other's (m), by angles alone."""
+
+    def gap(oracle: Oracle, q: Array) -> float:
+        turned = [oracle.pose(q, link)[2] for link in (a, b, carrier)]
+        return float(first * (turned[0] - turned[2]) + second * (turned[1] - turned[2]) - drawn)
+
+    return gap
+
+
+def teeth(a: tuple[str, str], b: tuple[str, str], first: float, second: float, alpha: float) -> Contact:
+    """Teeth of external gears, or of a gear a in a ring b (``second`` negative): they push along lines of action at
+    ``alpha`` (rad) to the tangent through the pitch point, always into the first gear."""
+
+    def contact(oracle: Oracle, q: Array, flank: int) -> tuple[str, str, Array, Array]:
+        start, end = oracle.point(q, *a), oracle.point(q, *b)
+        outward = (end - start) / np.hypot(*(end - start)) * (1.0 if second > 0 else -1.0)
+        place = start + first * outward
+        tangent = np.array([-outward[1], outward[0]])
+        return a[0], b[0], flank * np.cos(alpha) * tangent - np.sin(alpha) * outward, place
+
+    return contact
+
+
+def pair() -> dict[str, Any]:
+    """Two gears on the frame; the torque on the second changes its sign, as its mass lies beside its centre."""
+    return {
+        "linkwright": 1,
+        "units": UNITS,
+        "gravity": [0, -9810],
+        "links": {
+            "frame": {"points": {"O": [0, 0], "M": [90, 0]}},
+            "pinion": body({"O": [0, 0], "B": [20, 0]}, 0.4, [12, 3], 2e2),
+            "wheel": body({"M": [0, 0], "W": [40, 0]}, 2.0, [25, 8], 1.5e3),
+        },
+        "joints": {"mesh": {"gears": ["pinion", "wheel"], "centres": ["O", "M"], "teeth": [15, 30]}},
+        "assembly": {"W": [130, 0]},
+        "drives": {"motor": {"turns": "pinion", "on": "frame", "speed": "60 rpm", "start": "0 deg"}},
+    }
+
+
+def shifted() -> dict[str, Any]:
+    """The same with a module and profile shift: 3 mm (15 + 30)/2 = 67.5 mm at 68.4 mm."""
+    data = pair()
+    data["links"]["frame"]["points"]["M"] = [68.4, 0]
+    data["joints"]["mesh"] |= {"module": 3}
+    data["assembly"]["W"] = [108.4, 0]
+    return data
+
+
+def planetary() -> dict[str, Any]:
+    """Sun 40 mm, planet 20 mm, ring 80 mm that turns too, with an eccentric mass on all."""
+    return {
+        "linkwright": 1,
+        "units": UNITS,
+        "gravity": [0, -9810],
+        "links": {
+            "frame": {"points": {"O": [0, 0]}},
+            "sun": body({"O": [0, 0], "S": [20, 0]}, 1.0, [3, 2], 4e2),
+            "arm": body({"O": [0, 0], "P": [60, 0]}, 0.7, [25, 4], 3e2),
+            "planet": body({"P": [0, 0], "Q": [10, 0]}, 0.5, [2, 3], 1e2),
+            "ring": body({"O": [0, 0], "R": [80, 0]}, 1.5, [-5, 9], 4e3),
+        },
+        "joints": {
+            "sun_mesh": {"gears": ["sun", "planet"], "centres": ["O", "P"], "carrier": "arm", "radii": [40, 20]},
+            "ring_mesh": {
+                "gears": ["planet", "ring"],
+                "internal": "ring",
+                "centres": ["P", "O"],
+                "carrier": "arm",
+                "radii": [20, 80],
+                "pressure_angle": 25,
+            },
+        },
+        "assembly": {"P": [60, 0], "Q": [70, 0]},
+        "drives": {
+            "motor": {"turns": "sun", "on": "frame", "speed": "60 rpm", "start": "0 deg"},
+            "hold": {"turns": "ring", "on": "frame", "speed": "-10 rpm", "start": "0 deg"},
+        },
+        "loads": {"brake": {"on": "arm", "torque": -1.5}},
+    }
+
+
+def ring_first() -> dict[str, Any]:
+    """The same with the ring named first."""
+    data = planetary()
+    data["joints"]["ring_mesh"] |= {"gears": ["ring", "planet"], "centres": ["O", "P"], "radii": [80, 20]}
+    return data
+
+
+def five_bar() -> dict[str, Any]:
+    """Two cranks in mesh, and a dyad on both."""
+    return {
+        "linkwright": 1,
+        "units": UNITS,
+        "gravity": [0, -9810],
+        "links": {
+            "frame": {"points": {"O": [0, 0], "M": [130, 0]}},
+            "crank": body({"O": [0, 0], "B": [35, 0]}, 0.4, [12, 3], 2e2),
+            "second": body({"M": [0, 0], "D": [40, 0]}, 0.5, [15, -3], 3e2),
+            "left": body({"B": [0, 0], "C": [110, 0]}, 0.7, [50, 4], 8e2),
+            "right": body({"D": [0, 0], "C": [120, 0]}, 0.8, [55, -4], 9e2),
+        },
+        "joints": {"mesh": {"gears": ["crank", "second"], "centres": ["O", "M"], "teeth": [20, 40]}},
+        "assembly": {"D": [170, 0], "C": "left of B-D"},
+        "drives": {"motor": {"turns": "crank", "on": "frame", "speed": "60 rpm", "start": "0 deg"}},
+    }
+
+
+def on_a_coupler() -> dict[str, Any]:
+    """A four-bar whose coupler carries a gear that meshes with one on the crank: a carrier in general motion."""
+    return {
+        "linkwright": 1,
+        "units": UNITS,
+        "gravity": [0, -9810],
+        "links": {
+            "frame": {"points": {"A": [0, 0], "D": [120, 0]}},
+            "crank": body({"A": [0, 0], "B": [35, 0]}, 0.4, [12, 3], 2e2),
+            "coupler": body({"B": [0, 0], "C": [110, 0], "G": [60, 0]}, 0.7, [50, 4], 8e2),
+            "rocker": body({"D": [0, 0], "C": [80, 0]}, 0.8, [45, -4], 6e2),
+            "wheel": body({"G": [0, 0], "W": [25, 0]}, 0.6, [7, -4], 3e2),
+        },
+        "joints": {
+            "mesh": {"gears": ["crank", "wheel"], "centres": ["B", "G"], "carrier": "coupler", "radii": [35, 25]}
+        },
+        "assembly": {"C": [111, 79.5], "W": [100, 45]},
+        "drives": {"motor": {"turns": "crank", "on": "frame", "speed": "60 rpm", "start": "0 deg"}},
+    }
+
+
+def dyad(first: tuple[float, float], second: tuple[float, float], a: float, b: float) -> tuple[float, float]:
+    """The directions (rad) of two links from two places to where they meet, left of the line between these."""
+    apart = np.subtract(second, first)
+    d = float(np.hypot(*apart))
+    along = (d * d + a * a - b * b) / (2 * d)
+    e = apart / d
+    at = np.array(first) + along * e + np.sqrt(a * a - along * along) * np.array([-e[1], e[0]])
+    return tuple(float(np.arctan2(*(at - base)[::-1])) for base in (first, second))  # type: ignore[return-value]
+
+
+def _four_bar() -> Wheels:
+    data = on_a_coupler()
+    coupler, rocker = dyad((0.035, 0.0), (0.12, 0.0), 0.110, 0.080)
+    centre = np.array([0.035 + 0.06 * np.cos(coupler), 0.06 * np.sin(coupler)])
+    drawn = float(np.arctan2(0.045 - centre[1], 0.100 - centre[0]))
+    constant = 0.035 * (0.0 - coupler) + 0.025 * (drawn - coupler)
+    start: Start = {
+        "crank": (0.0, 0.0, 0.0),
+        "coupler": (0.035, 0.0, coupler),
+        "rocker": (0.12, 0.0, rocker),
+        "wheel": (*centre.tolist(), drawn),
+    }
+    gap = rolled("crank", "wheel", "coupler", 0.035, 0.025, constant)
+    return Wheels(data, start, {"mesh": gap}, {"mesh": teeth(("crank", "B"), ("wheel", "G"), 0.035, 0.025, ALPHA)})
+
+
+ALPHA = float(np.radians(20))
+_PAIR: Start = {"pinion": (0.0, 0.0, 0.0), "wheel": (0.09, 0.0, 0.0)}
+_SHIFTED: Start = {"pinion": (0.0, 0.0, 0.0), "wheel": (0.0684, 0.0, 0.0)}
+_TRAIN: Start = {"sun": (0.0, 0.0, 0.0), "arm": (0.0, 0.0, 0.0), "planet": (0.06, 0.0, 0.0), "ring": (0.0, 0.0, 0.0)}
+_FIVE = dyad((0.035, 0.0), (0.17, 0.0), 0.11, 0.12)
+_TRAIN_GAPS = {
+    "sun_mesh": rolled("sun", "planet", "arm", 0.04, 0.02),
+    "ring_mesh": rolled("planet", "ring", "arm", 0.02, -0.08),
+}
+_TRAIN_TEETH = {
+    "sun_mesh": teeth(("sun", "O"), ("planet", "P"), 0.04, 0.02, ALPHA),
+    "ring_mesh": teeth(("planet", "P"), ("ring", "O"), 0.02, -0.08, float(np.radians(25))),
+}
+GEARS = {
+    "pair": Wheels(
+        pair(),
+        _PAIR,
+        {"mesh": rolled("pinion", "wheel", "frame", 0.03, 0.06)},
+        {"mesh": teeth(("pinion", "O"), ("wheel", "M"), 0.03, 0.06, ALPHA)},
+    ),
+    "profile shift": Wheels(
+        shifted(),
+        _SHIFTED,
+        {"mesh": rolled("pinion", "wheel", "frame", 0.0228, 0.0456)},
+        {
+            "mesh": teeth(
+                ("pinion", "O"), ("wheel", "M"), 0.0228, 0.0456, float(np.arccos(67.5 / 68.4 * np.cos(np.radians(20))))
+            )
+        },
+    ),
+    "planetary train": Wheels(planetary(), _TRAIN, _TRAIN_GAPS, _TRAIN_TEETH),
+    "ring first": Wheels(ring_first(), _TRAIN, _TRAIN_GAPS, _TRAIN_TEETH),
+    "five-bar": Wheels(
+        five_bar(),
+        {
+            "crank": (0.0, 0.0, 0.0),
+            "second": (0.13, 0.0, 0.0),
+            "left": (0.035, 0.0, _FIVE[0]),
+            "right": (0.17, 0.0, _FIVE[1]),
+        },
+        {"mesh": rolled("crank", "second", "frame", 20, 40)},
+        {"mesh": teeth(("crank", "O"), ("second", "M"), 0.13 / 3, 0.26 / 3, ALPHA)},
+    ),
+    "carrier in general motion": _four_bar(),
+}
