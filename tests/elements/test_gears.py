@@ -20,7 +20,7 @@ from linkwright.model.document import parse_document
 
 EXAMPLES = {
     name: YAML(typ="safe").load((Path(__file__).parents[2] / "examples" / f"{name}.yaml").read_text("utf-8"))
-    for name in ("planetary_train", "geared_five_bar", "cardan_gear")
+    for name in ("planetary_train", "geared_five_bar", "cardan_gear", "rack_and_pinion")
 }
 PAIR = GEARS["pair"].data
 MESH = PAIR["joints"]["mesh"]
@@ -67,6 +67,32 @@ def test_wrong_entries_are_told_by_code(code: str, changes: dict[str, Any]) -> N
     assert code in refused(**changes), refused(**changes)
 
 
+RACK = EXAMPLES["rack_and_pinion"]["joints"]["mesh"]
+
+
+@pytest.mark.parametrize(
+    ("code", "changes"),
+    [
+        ("gears.pinion", {"teeth": None}),
+        ("gears.pinion", {"radius": 25}),
+        ("gears.whole", {"teeth": 20.5}),
+        ("gears.pressure", {"pressure_angle": 90}),
+        ("gears.rack-distance", {"teeth": 24}),
+        ("gears.rack-distance", {"teeth": None, "module": None, "radius": 25.1}),
+        ("gears.rack-line", {"pitch_line": "G at 1 deg"}),
+        ("gears.guide", {"carrier": "crank"}),
+        ("gears.guide", {"rack": ["pinion", "rod"], "pitch_line": "C at 0 deg"}),
+        ("name.unknown-point", {"centre": "B"}),
+        ("name.unknown", {"carrier": "arm"}),
+        ("joint.same-link", {"rack": ["pinion", "pinion"]}),
+    ],
+)
+def test_wrong_racks_are_told_by_code(code: str, changes: dict[str, Any]) -> None:
+    data = copy.deepcopy(EXAMPLES["rack_and_pinion"])
+    data["joints"]["mesh"] = {key: value for key, value in (RACK | changes).items() if value is not None}
+    assert code in codes(data), codes(data)
+
+
 def test_right_entries_are_taken() -> None:
     assert refused() == []
     assert refused(module=4) == []
@@ -105,7 +131,22 @@ NASTY: list[Any] = [
     "0 deg",
     "z1",
 ]
-KEYS = ["gears", "centres", "carrier", "teeth", "radii", "module", "internal", "pressure_angle", "pin", "at"]
+KEYS = [
+    "gears",
+    "rack",
+    "centre",
+    "pitch_line",
+    "radius",
+    "centres",
+    "carrier",
+    "teeth",
+    "radii",
+    "module",
+    "internal",
+    "pressure_angle",
+    "pin",
+    "at",
+]
 
 
 @pytest.mark.parametrize("seed", range(60))

@@ -8,14 +8,17 @@ import re
 import numpy as np
 import pytest
 
-from elements.wheels import GEARS, Wheels
+from elements.wheels import GEARS, RACKS, Wheels
 from helpers.expected import expected_angles, expected_forces, expected_motion
 from helpers.newton_euler import Array, State
 from helpers.outside import linkwright, table
 from helpers.plain import UNITS
 from helpers.toothed import Toothed
 
-CASES: dict[str, Wheels] = {**{f"gears: {name}": case for name, case in GEARS.items()}}
+CASES: dict[str, Wheels] = {
+    **{f"gears: {name}": case for name, case in GEARS.items()},
+    **{f"rack: {name}": case for name, case in RACKS.items()},
+}
 Followed = dict[str, tuple[Toothed, list[State], dict[str, Array]]]
 
 

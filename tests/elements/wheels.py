@@ -171,6 +171,100 @@ def on_a_coupler() -> dict[str, Any]:
     }
 
 
+def on_a_rack(a: tuple[str, str], b: tuple[str, str], heading: float, radius: float, drawn: float) -> Gap:
+    """How far a pinion's centre came along a rack's line (m), less what it rolled; ``radius`` is negative to the right
+    of the line."""
+
+    def gap(oracle: Oracle, q: Array) -> float:
+        angle = oracle.pose(q, b[0])[2]
+        along = np.array([np.cos(angle + heading), np.sin(angle + heading)])
+        away = oracle.point(q, *a) - oracle.point(q, *b)
+        return float(away @ along + radius * (oracle.pose(q, a[0])[2] - angle) - drawn)
+
+    return gap
+
+
+def rack_teeth(a: tuple[str, str], b: tuple[str, str], heading: float, radius: float, alpha: float) -> Contact:
+    """Teeth of a rack that push into the pinion, away from the rack."""
+
+    def contact(oracle: Oracle, q: Array, flank: int) -> tuple[str, str, Array, Array]:
+        angle = oracle.pose(q, b[0])[2] + heading
+        along, left = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
+        push = flank * np.cos(alpha) * along + np.sign(radius) * np.sin(alpha) * left
+        return a[0], b[0], push, oracle.point(q, *a) - radius * left
+
+    return contact
+
+
+def rack(above: bool) -> dict[str, Any]:
+    """A slider-crank whose slider has a rack, and a pinion above or below of it with an eccentric mass."""
+    side = 1 if above else -1
+    return {
+        "linkwright": 1,
+        "units": UNITS,
+        "gravity": [0, -9810],
+        "links": {
+            "frame": {"points": {"A": [0, 0], "F": [0, 10], "M": [180, 10 + 5 + side * 25]}},
+            "crank": body({"A": [0, 0], "B": [35, 0]}, 0.5, [15, 2], 2e2),
+            "rod": body({"B": [0, 0], "C": [120, 0]}, 0.4, [60, 3], 6e2),
+            "slider": body({"C": [0, 0], "G": [20, 5]}, 0.9, [10, 0], 3e2),
+            "pinion": body({"M": [0, 0], "E": [0, 90]}, 1.2, [5, 40], 9e2),
+        },
+        "joints": {
+            "guide": {"prismatic": ["frame", "slider"], "line": ["F at 0 deg", "C at 0 deg"]},
+            "mesh": {"rack": ["pinion", "slider"], "centre": "M", "pitch_line": "G at 180 deg", "radius": 25},
+        },
+        "assembly": {"C": [150, 10], "E": [180, 105 + side * 25]},
+        "drives": {"motor": {"turns": "crank", "on": "frame", "speed": "60 rpm", "start": "0 deg"}},
+    }
+
+
+def on_a_fixed_rack() -> dict[str, Any]:
+    """A pinion on a slider that a crank pushes along a rack on the frame; the slider carries the pinion."""
+    data = rack(above=True)
+    data["links"]["frame"]["points"] = {"A": [0, 0], "F": [0, 10], "G": [100, -20]}
+    data["links"]["slider"] = body({"C": [0, 0], "M": [30, 5]}, 0.9, [10, 0], 3e2)
+    data["joints"]["mesh"] = {
+        "rack": ["pinion", "frame"],
+        "centre": "M",
+        "carrier": "slider",
+        "pitch_line": "G at 0 deg",
+        "teeth": 28,
+        "module": 2.5,
+    }
+    data["assembly"] = {"C": [150, 10], "E": [180, 105]}
+    return data
+
+
+def _rack(above: bool) -> Wheels:
+    # The line runs to the left: a pinion above it lies on its right.
+    data, radius = rack(above), -0.025 if above else 0.025
+    start: Start = {
+        "crank": (0.0, 0.0, 0.0),
+        "rod": (0.035, 0.0, float(np.arcsin(10 / 120))),
+        "slider": (0.035 + float(np.sqrt(0.12**2 - 0.01**2)), 0.01, 0.0),
+        "pinion": (0.18, 0.04 if above else -0.01, 0.0),
+    }
+    drawn = -(0.18 - start["slider"][0] - 0.02)
+    ends = (("pinion", "M"), ("slider", "G"), float(np.pi), radius)
+    return Wheels(data, start, {"mesh": on_a_rack(*ends, drawn)}, {"mesh": rack_teeth(*ends, ALPHA)})
+
+
+def _fixed_rack() -> Wheels:
+    x = 0.035 + float(np.sqrt(0.12**2 - 0.01**2))
+    start: Start = {
+        "crank": (0.0, 0.0, 0.0),
+        "rod": (0.035, 0.0, float(np.arcsin(10 / 120))),
+        "slider": (x, 0.01, 0.0),
+        "pinion": (x + 0.03, 0.015, 0.0),
+    }
+    turned = float(np.arctan2(180 - 1e3 * (x + 0.03), 90))
+    start["pinion"] = (*start["pinion"][:2], -turned)
+    ends = (("pinion", "M"), ("frame", "G"), 0.0, 0.035)
+    drawn = x + 0.03 - 0.1 + 0.035 * -turned
+    return Wheels(on_a_fixed_rack(), start, {"mesh": on_a_rack(*ends, drawn)}, {"mesh": rack_teeth(*ends, ALPHA)})
+
+
 def dyad(first: tuple[float, float], second: tuple[float, float], a: float, b: float) -> tuple[float, float]:
     """The directions (rad) of two links from two places to where they meet, left of the line between these."""
     apart = np.subtract(second, first)
@@ -242,3 +336,4 @@ GEARS = {
     ),
     "carrier in general motion": _four_bar(),
 }
+RACKS = {"above": _rack(above=True), "below": _rack(above=False), "fixed rack, moving carrier": _fixed_rack()}

@@ -9,6 +9,7 @@ from linkwright.elements import (  # noqa: F401  (each registers itself)
     load,
     pin,
     pin_in_slot,
+    rack,
     slide,
     spring,
 )

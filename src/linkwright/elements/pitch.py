@@ -91,7 +91,7 @@ class WheelsEntry(JointEntry):
 
     def carrier_points(self, mechanism: Any) -> list[str | None]:
         """The carrier's points at both centres; ``None`` where it isn't pinned to the wheel."""
-        return [_pinned(mechanism, self.carrier, end) for end in zip(self.wheels, self.centres, strict=True)]
+        return [pinned_point(mechanism, self.carrier, end) for end in zip(self.wheels, self.centres, strict=True)]
 
     def name_faults(self, mechanism: Any) -> Iterator[FaultWithin]:
         """That the carrier is pinned to both wheels at their centres."""
@@ -104,13 +104,13 @@ class WheelsEntry(JointEntry):
             return
         for (wheel, centre), found in zip(ends, self.carrier_points(mechanism), strict=True):
             if found is None:
-                able = (link for link in mechanism.links if all(_pinned(mechanism, link, end) for end in ends))
+                able = (link for link in mechanism.links if all(pinned_point(mechanism, link, end) for end in ends))
                 data = {"carrier": self.carrier, "wheel": wheel, "centre": centre}
                 yield "joint.carrier", {**data, "able": Joined(able) or "-"}, "carrier"
                 return
 
 
-def _pinned(mechanism: Any, link: str, end: tuple[str, str]) -> str | None:
+def pinned_point(mechanism: Any, link: str, end: tuple[str, str]) -> str | None:
     """The point at which a link is pinned to a point of another; the point itself where it is the link's own."""
     if end[0] == link:
         return end[1]

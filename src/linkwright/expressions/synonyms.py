@@ -76,6 +76,8 @@ _WORDS = {
     "coupling": "联动 联轴",
     "gears": "齿轮副 齿轮",
     "teeth": "齿数",
+    "rack": "齿条副 齿条",
+    "pitch_line": "节线",
     "carrier": "行星架 转臂 系杆",
     "pressure_angle": "压力角",
     "follows": "跟随 随动",

@@ -54,10 +54,9 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "rod], at: [B1, B2]}}}}'.",
     ),
     "element.rack": (
-        "'{name}': linkwright has no rack and pinion yet.",
-        "A rack travels in a fixed ratio to its pinion's angle. If the law of one is known, give each a drive of its "
-        "own, the rack's travel being the pinion's radius times its angle: 'b: {{slides: rack, on: frame, position: "
-        "r*(LAW OF THE PINION)}}'.",
+        "'{name}': a rack is written under joints, as rack.",
+        "For example 'joints: {{mesh: {{rack: [pinion, slider], centre: M, pitch_line: G at 0 deg, radius: 25 mm}}}}', with M the "
+        "pinion's centre and G a point of the slider on the pitch line.",
     ),
     "element.rolling": (
         "'{name}': linkwright has no rolling contact yet.",

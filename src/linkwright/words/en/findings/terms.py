@@ -44,6 +44,7 @@ TERMS: dict[str, str] = {
     "kind-pin_in_slot": "pin in a slot",
     "kind-cam": "cam",
     "kind-gears": "gears in mesh",
+    "kind-rack": "rack and pinion",
     "two-numbers": "[NUMBER, NUMBER]",
     "two-radii": "[RADIUS, RADIUS]",
     "teeth": "number of teeth",

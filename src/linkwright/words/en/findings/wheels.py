@@ -45,4 +45,23 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "Change module, teeth, or the points of {carrier}. Profile shift may change the distance by at most one module, "
         "and the working pressure angle must exist: distance > reference distance times cos(pressure angle).",
     ),
+    "gears.pinion": (
+        "A rack needs either the pitch radius of its pinion, or teeth and module; given: {given}.",
+        "For example radius: 25 mm, or teeth: 20 with module: 2.5 mm.",
+    ),
+    "gears.guide": (
+        "The carrier '{carrier}' doesn't keep the distance of {pinion} and {rack}: it must be pinned to the pinion at its centre, "
+        "and the rack must slide on it.",
+        "Name the link with both joints, for example 'carrier: housing'; without carrier it is the frame. Links that have both: "
+        "{able}.",
+    ),
+    "gears.rack-line": (
+        "The line of the rack {rack} isn't parallel to the guide in which the rack slides.",
+        "Give the line the direction of the prismatic joint's line on that link.",
+    ),
+    "gears.rack-distance": (
+        "The rack doesn't fit: its line is {distance} from the pinion's centre, but the pitch radius is {radius}.",
+        "Change the radius (teeth, module), or the points of the line, of the guide and of the centre. With a module, profile "
+        "shift may change the distance by at most one module.",
+    ),
 }

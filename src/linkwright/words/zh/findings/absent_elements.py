@@ -47,9 +47,8 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "在两个构件上为该点取同一名称。若两点名称不同：“joints: {{B: {{revolute: [crank, rod], at: [B1, B2]}}}}”。",
     ),
     "element.rack": (
-        "“{name}”：linkwright 尚不支持齿轮齿条。",
-        "齿条的位移与小齿轮的转角成固定比例。若其中一个的运动规律已知，为二者分别设置驱动，齿条的位移等于小齿轮的半径与转角之积：“b: {{slides: rack, on: frame, "
-        "position: r*(小齿轮的运动规律)}}”。",
+        "“{name}”：齿条副在 joints 中以 rack 定义。",
+        "例如“joints: {{mesh: {{rack: [pinion, slider], centre: M, pitch_line: G at 0 deg, radius: 25 mm}}}}”，其中 M 为小齿轮中心，G 为 slider 上节线的一点。",
     ),
     "element.rolling": (
         "“{name}”：linkwright 尚不支持滚动接触。",

@@ -44,6 +44,7 @@ TERMS: dict[str, str] = {
     "kind-pin_in_slot": "销槽副",
     "kind-cam": "凸轮副",
     "kind-gears": "齿轮副",
+    "kind-rack": "齿轮齿条副",
     "two-numbers": "[NUMBER, NUMBER]（两个数）",
     "two-radii": "[RADIUS, RADIUS]（两个半径）",
     "teeth": "齿数",

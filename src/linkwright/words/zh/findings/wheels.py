@@ -41,4 +41,20 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "齿轮不匹配：按此模数，标准中心距为 {reference}，而 {carrier} 上的中心距为 {distance}。",
         "修改 module、teeth 或 {carrier} 上的点。变位引起的中心距变化最多为一个模数，且工作压力角必须存在：中心距大于标准中心距与压力角余弦之积。",
     ),
+    "gears.pinion": (
+        "齿条副必须给出小齿轮的节圆半径，或齿数和模数；已给出：{given}。",
+        "例如 radius: 25 mm，或 teeth: 20 与 module: 2.5 mm。",
+    ),
+    "gears.guide": (
+        "构件“{carrier}”不能保持 {pinion} 与 {rack} 的距离：它必须在小齿轮中心处与其铰接，且齿条必须在其上滑动。",
+        "用 carrier 给出同时具有这两个运动副的构件，例如“carrier: housing”；不写 carrier 时为机架。满足条件的构件：{able}。",
+    ),
+    "gears.rack-line": (
+        "齿条 {rack} 的节线与齿条的导轨不平行。",
+        "使该直线的方向与移动副在此构件上的直线方向一致。",
+    ),
+    "gears.rack-distance": (
+        "齿条不匹配：节线到小齿轮中心的距离为 {distance}，而节圆半径为 {radius}。",
+        "修改半径（齿数、模数），或直线、导轨和中心的点。给出模数时，变位引起的距离变化最多为一个模数。",
+    ),
 }
