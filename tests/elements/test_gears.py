@@ -20,7 +20,7 @@ from linkwright.model.document import parse_document
 
 EXAMPLES = {
     name: YAML(typ="safe").load((Path(__file__).parents[2] / "examples" / f"{name}.yaml").read_text("utf-8"))
-    for name in ("planetary_train", "geared_five_bar", "cardan_gear", "rack_and_pinion")
+    for name in ("planetary_train", "geared_five_bar", "cardan_gear", "rack_and_pinion", "rolling_wheel")
 }
 PAIR = GEARS["pair"].data
 MESH = PAIR["joints"]["mesh"]
@@ -93,6 +93,26 @@ def test_wrong_racks_are_told_by_code(code: str, changes: dict[str, Any]) -> Non
     assert code in codes(data), codes(data)
 
 
+@pytest.mark.parametrize(
+    ("code", "changes"),
+    [
+        ("gears.path", {"on_line": None}),
+        ("gears.path", {"on_circle": {"centre": "A", "radius": 20}}),
+        ("gears.same-radius", {"on_line": None, "on_circle": {"centre": "A", "radius": 60, "inside": True}}),
+        ("value.too-small", {"radius": 0}),
+        ("name.unknown-point", {"on_line": "B at 0 deg"}),
+        ("name.unknown-point", {"centre": "G"}),
+        ("name.unknown", {"rolling": ["wheel", "ground"]}),
+        ("joint.same-link", {"rolling": ["wheel", "wheel"], "on_line": "P at 0 deg"}),
+    ],
+)
+def test_wrong_rolling_is_told_by_code(code: str, changes: dict[str, Any]) -> None:
+    data = copy.deepcopy(EXAMPLES["rolling_wheel"])
+    entry = data["joints"]["ground"] | {"radius": 60} | changes
+    data["joints"]["ground"] = {key: value for key, value in entry.items() if value is not None}
+    assert code in codes(data), codes(data)
+
+
 def test_right_entries_are_taken() -> None:
     assert refused() == []
     assert refused(module=4) == []
@@ -131,22 +151,8 @@ NASTY: list[Any] = [
     "0 deg",
     "z1",
 ]
-KEYS = [
-    "gears",
-    "rack",
-    "centre",
-    "pitch_line",
-    "radius",
-    "centres",
-    "carrier",
-    "teeth",
-    "radii",
-    "module",
-    "internal",
-    "pressure_angle",
-    "pin",
-    "at",
-]
+KEYS = ["gears", "centres", "carrier", "teeth", "radii", "module", "internal", "pressure_angle", "pin", "at"]
+KEYS += ["rack", "centre", "pitch_line", "radius", "rolling", "on_line", "on_circle"]
 
 
 @pytest.mark.parametrize("seed", range(60))

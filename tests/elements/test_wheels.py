@@ -8,7 +8,7 @@ import re
 import numpy as np
 import pytest
 
-from elements.wheels import GEARS, RACKS, Wheels
+from elements.wheels import GEARS, RACKS, ROLLING, Wheels
 from helpers.expected import expected_angles, expected_forces, expected_motion
 from helpers.newton_euler import Array, State
 from helpers.outside import linkwright, table
@@ -18,6 +18,7 @@ from helpers.toothed import Toothed
 CASES: dict[str, Wheels] = {
     **{f"gears: {name}": case for name, case in GEARS.items()},
     **{f"rack: {name}": case for name, case in RACKS.items()},
+    **{f"rolling: {name}": case for name, case in ROLLING.items()},
 }
 Followed = dict[str, tuple[Toothed, list[State], dict[str, Array]]]
 
@@ -53,7 +54,7 @@ def test_they_move_as_raw_geometry_has_it(name: str, followed: Followed) -> None
     orders = {"angle": expected_angles(oracle, states), **expected_motion(oracle, states)}
     compared = 0
     for order, rows in orders.items():
-        limit = {"velocity": 1e-8, "acceleration": 1e-6}.get(order, 1e-11)  # of rates there are differences
+        limit = {"velocity": 1e-8, "acceleration": 5e-6}.get(order, 1e-11)  # second differences of gaps
         largest = max(1.0, *(float(np.abs(values).max()) for values in rows.values()))
         for row, values in rows.items():
             if row in own:
@@ -72,27 +73,38 @@ def test_forces_are_those_of_newton_and_euler(name: str, followed: Followed) -> 
     assert sum("force(" in row for row in compared) >= 4
     scale = max(float(np.abs(rows[row]).max()) for row in compared)
     for row in compared:
-        assert own[row] == pytest.approx(rows[row], rel=0, abs=1e-8 * scale), row
+        assert own[row] == pytest.approx(rows[row], rel=0, abs=1e-7 * scale), row
     results = [oracle.forces(state) for state in states]
-    for joint in CASES[name].contacts:
+    for joint in {contact.split("/")[0] for contact in CASES[name].contacts}:
+        every = [contact for contact in oracle.contacts if contact.split("/")[0] == joint]
         a, b, _, _ = oracle.contacts[joint](oracle, states[0].q, 1)
-        link, other, sign = (a, b, -1.0) if a in oracle.index else (b, a, 1.0)
-        force = np.array([result.reactions[joint, link][:2] for result in results])
-        assert own[f"{joint}.force"] == pytest.approx(np.hypot(*force.T), rel=0, abs=1e-8 * scale)
+        link, other = (a, b) if a in oracle.index else (b, a)
+        force = np.array([sum(result.reactions[one, link][:2] for one in every) for result in results])
+        parts = [own[f"{joint}.{part}"] for part in ("force", "normal", "tangential") if f"{joint}.{part}" in own]
+        size = parts[0] if f"{joint}.force" in own else np.hypot(*parts)
+        assert size == pytest.approx(np.hypot(*force.T), rel=0, abs=1e-7 * scale)
         for k, axis in enumerate("xy"):
             keys = [f"force({link}, {on}{more}).{axis}" for on in (other, joint) for more in ("", f", {joint}")]
             keys += [f"force({other}, {link}{more}).{axis}" for more in ("", f", {joint}")]
             key = next(key for key in keys if key in own)
-            assert (1.0 if key.startswith(f"force({other}") else -1.0) * own[key] == pytest.approx(
-                force[:, k], rel=0, abs=1e-8 * scale
-            ), (key, sign)
+            sign = 1.0 if key.startswith(f"force({other}") else -1.0
+            assert sign * own[key] == pytest.approx(force[:, k], rel=0, abs=1e-7 * scale), key
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_teeth_change_their_flank(name: str, followed: Followed) -> None:
-    """The cases are worth something: in most the tangential force changes its sign."""
+def test_power_is_force_times_speed(name: str, followed: Followed) -> None:
     _, _, own = followed[name]
-    for joint in CASES[name].contacts:
-        assert own[f"{joint}.force"].max() > 0
-        power = own[f"{joint}.tangential"] * own[f"{joint}.speed"]
-        assert own[f"{joint}.power"] == pytest.approx(power, rel=1e-9, abs=1e-12)
+    for joint in CASES[name].data["joints"]:
+        if f"{joint}.power" in own:
+            power = own[f"{joint}.tangential"] * own[f"{joint}.speed"]
+            assert own[f"{joint}.power"] == pytest.approx(power, rel=1e-9, abs=1e-12)
+
+
+def test_the_cases_have_forces_of_both_signs(followed: Followed) -> None:
+    """Both flanks bear in most of them."""
+    both = [
+        name
+        for name, (_, _, own) in followed.items()
+        if any(row.endswith(".tangential") and values.min() < 0 < values.max() for row, values in own.items())
+    ]
+    assert len(both) >= len(CASES) - 2

@@ -27,7 +27,11 @@ class Wheels:
 
     def oracle(self) -> Toothed:
         """The mechanism from raw geometry."""
-        joints = {name: joint for name, joint in self.data.get("joints", {}).items() if name not in self.gaps}
+        joints = {
+            name: joint
+            for name, joint in self.data.get("joints", {}).items()
+            if name not in {key.split("/")[0] for key in self.gaps}
+        }
         return Toothed(plain_of({**self.data, "joints": joints}, self.start), self.gaps, self.contacts)
 
     def studied(self, **studies: Any) -> dict[str, Any]:
@@ -337,3 +341,133 @@ GEARS = {
     "carrier in general motion": _four_bar(),
 }
 RACKS = {"above": _rack(above=True), "below": _rack(above=False), "fixed rack, moving carrier": _fixed_rack()}
+
+
+# Rolling discs: two gaps of one joint, NAME and NAME/rolled.
+
+
+def wheel(on: dict[str, Any], ground: str = "frame") -> dict[str, Any]:
+    """A crank and a rod push a wheel with an eccentric mass, which rolls."""
+    return {
+        "linkwright": 1,
+        "units": UNITS,
+        "gravity": [0, -9810],
+        "links": {
+            "frame": {"points": {"A": [0, 60], "G": [300, 0]}},
+            "arm": body({"A": [0, 0], "B": [90, 0]}, 1.0, [40, 3], 9e2),
+            "rod": body({"B": [0, 0], "C": [260, 0]}, 0.8, [120, -5], 5e3),
+            "wheel": body({"C": [0, 0], "P": [0, -60]}, 4.0, [10, 5], 7e3),
+        },
+        "joints": {"ground": {"rolling": ["wheel", ground], "centre": "C", "radius": 60, **on}},
+        "assembly": {"C": [350, 60], "P": [350, 0]},
+        "drives": {"motor": {"turns": "arm", "on": "frame", "speed": "60 rpm", "start": "0 deg"}},
+    }
+
+
+def touching(a: tuple[str, str], b: tuple[str, str], radius: float) -> tuple[dict[str, Gap], dict[str, Contact]]:
+    """A disc above a line along the x axis of a link."""
+
+    def apart(oracle: Oracle, q: Array) -> tuple[float, float, float]:
+        angle = oracle.pose(q, b[0])[2]
+        away = oracle.point(q, *a) - oracle.point(q, *b)
+        c, s = np.cos(angle), np.sin(angle)
+        return float(c * away[0] + s * away[1]), float(c * away[1] - s * away[0]), float(angle)
+
+    first: list[float] = []
+
+    def rolled(oracle: Oracle, q: Array) -> float:
+        x, _, angle = apart(oracle, q)
+        passed = x + radius * (oracle.pose(q, a[0])[2] - angle)
+        first[:] = first or [passed]
+        return float(passed - first[0])
+
+    def contact(way: int) -> Contact:
+        def found(oracle: Oracle, q: Array, flank: int) -> tuple[str, str, Array, Array]:
+            angle = oracle.pose(q, b[0])[2]
+            ways = np.array([[-np.sin(angle), np.cos(angle)], [np.cos(angle), np.sin(angle)]])
+            return a[0], b[0], flank * ways[way], oracle.point(q, *a) - radius * ways[0]
+
+        return found
+
+    gaps: dict[str, Gap] = {"ground": lambda oracle, q: apart(oracle, q)[1] - radius, "ground/rolled": rolled}
+    return gaps, {"ground": contact(0), "ground/rolled": contact(1)}
+
+
+def round_about(
+    a: tuple[str, str], b: tuple[str, str], radius: float, circle: float, inside: bool
+) -> tuple[dict[str, Gap], dict[str, Contact]]:
+    """A disc on or in a circle, by the angle of the line of centres as seen from where it was drawn."""
+    sign = -1.0 if inside else 1.0
+    apart = circle + sign * radius
+    first: list[float] = []
+
+    def away(oracle: Oracle, q: Array) -> Array:
+        return np.asarray(oracle.point(q, *a) - oracle.point(q, *b))
+
+    def touches(oracle: Oracle, q: Array) -> float:
+        return float(sign * (np.hypot(*away(oracle, q)) - apart))
+
+    def rolled(oracle: Oracle, q: Array) -> float:
+        x, y = away(oracle, q)
+        passed = circle * oracle.pose(q, b[0])[2] + sign * radius * oracle.pose(q, a[0])[2] - apart * np.arctan2(y, x)
+        first[:] = first or [float(passed)]
+        return float(passed - first[0])
+
+    def contact(way: int) -> Contact:
+        def found(oracle: Oracle, q: Array, flank: int) -> tuple[str, str, Array, Array]:
+            unit = away(oracle, q) / np.hypot(*away(oracle, q))
+            ways = np.array([sign * unit, [-unit[1], unit[0]]])
+            return a[0], b[0], flank * ways[way], oracle.point(q, *b) + circle * unit
+
+        return found
+
+    return {"ground": touches, "ground/rolled": rolled}, {"ground": contact(0), "ground/rolled": contact(1)}
+
+
+def roller(inside: bool) -> dict[str, Any]:
+    """An eccentric disc on a crank moves an arm with a roller; or the roller runs in a ring on the crank."""
+    return {
+        "linkwright": 1,
+        "units": UNITS,
+        "gravity": [0, -9810],
+        "links": {
+            "frame": {"points": {"A": [0, 0], "D": [120, 40]}},
+            "cam": body({"A": [0, 0], "E": [15, 0]}, 2.0, [10, 3], 2e3),
+            "arm": body({"D": [0, 0], "R": [110, 0]}, 0.7, [50, 4], 9e2),
+            "roll": body({"R": [0, 0], "S": [12, 0]}, 0.3, [2, 1], 5e1),
+        },
+        "joints": {
+            "ground": {
+                "rolling": ["roll", "cam"],
+                "centre": "R",
+                "radius": 12,
+                "on_circle": {"centre": "E", "radius": 90 if inside else 45, "inside": inside},
+            }
+        },
+        "drives": {"motor": {"turns": "cam", "on": "frame", "speed": "60 rpm", "start": "0 deg"}},
+    }
+
+
+def _roller(inside: bool) -> Wheels:
+    data = roller(inside)
+    apart = 0.078 if inside else 0.057
+    to_centre, _ = dyad((0.015, 0.0), (0.12, 0.04), apart, 0.11)
+    centre = np.array([0.015 + apart * np.cos(to_centre), apart * np.sin(to_centre)])
+    arm = float(np.arctan2(centre[1] - 0.04, centre[0] - 0.12))
+    x, y = (1e3 * centre).tolist()
+    data["assembly"] = {"R": [x, y], "S": [x + 12, y]}  # drawn as it is put together
+    start: Start = {"cam": (0.0, 0.0, 0.0), "arm": (0.12, 0.04, arm), "roll": (*centre.tolist(), 0.0)}
+    gaps, contacts = round_about(("roll", "R"), ("cam", "E"), 0.012, 0.09 if inside else 0.045, inside)
+    return Wheels(data, start, gaps, contacts)
+
+
+def _wheel() -> Wheels:
+    start: Start = {
+        "arm": (0.0, 0.06, 0.0),
+        "rod": (0.09, 0.06, 0.0),
+        "wheel": (0.35, 0.06, 0.0),
+    }
+    return Wheels(wheel({"on_line": "G at 0 deg"}), start, *touching(("wheel", "C"), ("frame", "G"), 0.06))
+
+
+ROLLING = {"on the ground": _wheel(), "on a circle": _roller(inside=False), "in a ring": _roller(inside=True)}

@@ -159,3 +159,41 @@ def test_friction_in_a_bearing_counts_the_separating_force() -> None:
     assert tangential == pytest.approx(expected, rel=1e-12)
     assert moment == pytest.approx(0.003 * expected / np.cos(np.radians(20)), rel=1e-12)
     assert lw.run(lw.Document.model_validate(data)).exit_code == 0
+
+
+def test_a_point_of_a_rolling_wheel_follows_a_cycloid() -> None:
+    """From its lowest place, by the way of the centre: x = c - r sin(c/r), y = r - r cos(c/r)."""
+    centre, x, y = values(example("rolling_wheel"), "C.x", "P.x", "P.y")
+    way = centre - 0.35
+    assert x == pytest.approx(0.35 + way - 0.06 * np.sin(way / 0.06), abs=1e-13)
+    assert y == pytest.approx(0.06 - 0.06 * np.cos(way / 0.06), abs=1e-13)
+
+
+def test_a_disc_on_a_slope_needs_a_third_of_its_slope() -> None:
+    """A uniform disc that rolls down under its weight needs mu = tan(slope)/3 (J. L. Meriam, L. G. Kraige, Engineering
+    Mechanics: Dynamics, ch. 6): held to the acceleration that it then has, 2/3 g sin(slope), a drive exerts nothing."""
+    slope = np.radians(30)
+    rate = 2 / 3 * 9.80665 * np.sin(slope)
+    data = {
+        "linkwright": 1,
+        "units": UNITS,
+        "gravity": "earth",
+        # A slide along the slope carries one across it without mass, on which the disc's centre is pinned.
+        "links": {
+            "frame": {"points": {"G": [0, 0]}},
+            "along": {"points": {"H": [0, 0]}},
+            "across": {"points": {"C": [0, 0]}},
+            "disc": {"points": {"C": [0, 0], "P": [0, -50]}, "mass": 3, "shape": "disc 50 at C"},
+        },
+        "joints": {
+            "way": {"prismatic": ["frame", "along"], "line": ["G at -30 deg", "H at 0 deg"]},
+            "lift": {"prismatic": ["along", "across"], "line": ["H at 90 deg", "C at 90 deg"]},
+            "ground": {"rolling": ["disc", "frame"], "centre": "C", "radius": 50, "on_line": "G at -30 deg"},
+        },
+        "assembly": {"C": [25, 43.3], "P": [25, -6.7]},
+        "drives": {"push": {"slides": "along", "on": "frame", "acceleration": f"{rate} m/s^2", "speed": 0, "start": 0}},
+    }
+    force, normal, tangential = values(data, "push.force", "ground.normal", "ground.tangential", stop=0.5)
+    assert force == pytest.approx(0.0, abs=1e-9)
+    assert normal == pytest.approx(3 * 9.80665 * np.cos(slope), rel=1e-12)
+    assert np.abs(tangential) / normal == pytest.approx(np.tan(slope) / 3, rel=1e-9)

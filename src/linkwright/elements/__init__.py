@@ -10,6 +10,7 @@ from linkwright.elements import (  # noqa: F401  (each registers itself)
     pin,
     pin_in_slot,
     rack,
+    rolling,
     slide,
     spring,
 )

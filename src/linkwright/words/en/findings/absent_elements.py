@@ -59,9 +59,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "pinion's centre and G a point of the slider on the pitch line.",
     ),
     "element.rolling": (
-        "'{name}': linkwright has no rolling contact yet.",
-        "Rolling without slip is a fixed ratio between two motions. If the law of one is known, give the other a "
-        "drive of its own in that ratio, for example 'position: -(TRAVEL)/r' for the angle of a wheel of radius r.",
+        "'{name}': rolling contact is written under joints, as rolling.",
+        "For example 'joints: {{ground: {{rolling: [wheel, frame], centre: C, radius: 60 mm, on_line: G at 0 deg}}}}', or "
+        "'on_circle: {{centre: M, radius: 80 mm}}'. Wheels that a carrier holds at their distance are gears with the pressure "
+        "angle 0.",
     ),
     "element.rope": (
         "'{name}': linkwright has no ropes and cables yet.",

@@ -59,6 +59,14 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "The line of the rack {rack} isn't parallel to the guide in which the rack slides.",
         "Give the line the direction of the prismatic joint's line on that link.",
     ),
+    "gears.path": (
+        "A disc rolls on exactly one of on_line and on_circle; given: {given}.",
+        "For example on_line: G at 0 deg, or on_circle: {{centre: M, radius: 80}}, with inside: true for a disc in a ring.",
+    ),
+    "gears.same-radius": (
+        "The disc fills the circle inside which it is to roll.",
+        "Give the circle another radius than the disc; without inside the disc rolls on the outside of the circle.",
+    ),
     "gears.rack-distance": (
         "The rack doesn't fit: its line is {distance} from the pinion's centre, but the pitch radius is {radius}.",
         "Change the radius (teeth, module), or the points of the line, of the guide and of the centre. With a module, profile "

@@ -51,8 +51,9 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "例如“joints: {{mesh: {{rack: [pinion, slider], centre: M, pitch_line: G at 0 deg, radius: 25 mm}}}}”，其中 M 为小齿轮中心，G 为 slider 上节线的一点。",
     ),
     "element.rolling": (
-        "“{name}”：linkwright 尚不支持滚动接触。",
-        "无滑动的滚动使两个运动成固定比例。若其中一个的运动规律已知，按该比例为另一个单独设置驱动，例如半径为 r 的轮的转角：“position: -(位移)/r”。",
+        "“{name}”：滚动接触在 joints 中以 rolling 定义。",
+        "例如“joints: {{ground: {{rolling: [wheel, frame], centre: C, radius: 60 mm, on_line: G at 0 deg}}}}”，或“on_circle: {{centre: M, radius: 80 mm}}”。"
+        "由行星架保持中心距的摩擦轮，用压力角为 0 的齿轮副表示。",
     ),
     "element.rope": (
         "“{name}”：linkwright 尚不支持绳索和钢丝绳。",

@@ -53,6 +53,14 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "齿条 {rack} 的节线与齿条的导轨不平行。",
         "使该直线的方向与移动副在此构件上的直线方向一致。",
     ),
+    "gears.path": (
+        "圆盘的滚动必须在 on_line 和 on_circle 中给出且只给出一项；已给出：{given}。",
+        "例如 on_line: G at 0 deg，或 on_circle: {{centre: M, radius: 80}}；圆盘在环内滚动时加 inside: true。",
+    ),
+    "gears.same-radius": (
+        "圆盘与其内部滚动的圆一样大，无法滚动。",
+        "使圆的半径与圆盘半径不同；不写 inside 时圆盘在圆的外侧滚动。",
+    ),
     "gears.rack-distance": (
         "齿条不匹配：节线到小齿轮中心的距离为 {distance}，而节圆半径为 {radius}。",
         "修改半径（齿数、模数），或直线、导轨和中心的点。给出模数时，变位引起的距离变化最多为一个模数。",
