@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import reduce
+from pathlib import Path
 
 import numpy as np
 import pytest
 from numpy.random import Generator
 
+import linkwright as lw
 from elements.slots import SLOTS, lever
 from helpers.compiled import compiled_from
+from linkwright.compilation import compile_mechanism
 from linkwright.elements import (
     KINDS,
     STILL,
@@ -26,6 +30,7 @@ from linkwright.graph.geometry import Geometry
 from linkwright.notation import Body, Jet, Pair, Vec, Wrench
 from linkwright.notation.planar import turning_axis, unit_vector
 
+EXAMPLES = Path(__file__).parents[2] / "examples"
 INNER: dict[str, Inner] = {
     "pin": InnerPin(Pair(0.1, 0.2), Pair(-0.3, 0.05)),
     "slide": InnerLine(Pair(0.1, 0.2), unit_vector(0.4), Pair(-0.3, 0.05), unit_vector(-1.1)),
@@ -34,6 +39,19 @@ for _slot in SLOTS:
     _compiled = compiled_from(lever(_slot))
     _geometry = Geometry(_compiled.quantities, _compiled.quantities.parameters)
     INNER[f"slot {_slot}"] = KINDS["pin_in_slot"].inner(_geometry, "slot", ("crank", "lever"))
+COUNT = dict.fromkeys(INNER, 2)
+"""Of each the number of its links."""
+NEEDED = {name for name, one in KINDS.items() if one.entry is not None}
+"""Kinds that come with an entry of their own: of each, every joint in the examples counts."""
+for _file in sorted(EXAMPLES.glob("*.yaml")):
+    _text = _file.read_text(encoding="utf-8")
+    if any(f"{{{name}: " in _text for name in NEEDED):
+        _compiled = compile_mechanism(lw.load(_file))
+        _geometry = Geometry(_compiled.quantities, _compiled.quantities.parameters)
+        for _name, _entry in _compiled.mechanism.joints_but_pins():
+            if _entry.kind in NEEDED:
+                INNER[f"{_file.stem}: {_name}"] = KINDS[_entry.kind].inner(_geometry, _name, _entry.links)
+                COUNT[f"{_file.stem}: {_name}"] = len(_entry.links)
 
 
 def body(random: Generator, order: int = 3) -> Body:
@@ -44,8 +62,8 @@ def body(random: Generator, order: int = 3) -> Body:
     return Body(place, Pair(*random.normal(size=2).tolist()), turning_axis(unit_vector(angle), turn), turn, angle)
 
 
-def pair(name: str, random: Generator) -> list[Body]:
-    """Two links in any motion; those of pins and slides on each other, where their actions hold."""
+def links_of(name: str, random: Generator) -> list[Body]:
+    """The links in any motion; those of pins and slides on each other, where their actions hold."""
     a, inner, rates = body(random), INNER[name], Jet(random.normal(size=3).tolist())
     if isinstance(inner, InnerPin):
         b = OuterPin(a.point(inner.first), inner.second).place_at(float(random.uniform(-3, 3)), rates)
@@ -53,7 +71,7 @@ def pair(name: str, random: Generator) -> list[Body]:
         line = a.point(inner.first), a.direction(inner.first_heading), a.turn
         b = OuterLine(*line, inner.second, inner.second_heading).place_at(float(random.normal()), rates)
     else:
-        b = body(random)
+        return [a, *(body(random) for _ in range(COUNT[name] - 1))]
     return [a, b]
 
 
@@ -71,7 +89,8 @@ def test_slopes_and_actions_follow_from_the_closure(name: str, seed: int) -> Non
     """The slope to a motion is the gap's rate under it; by duality the actions' power is the multipliers times that.
     The sum of the actions is no force and no moment."""
     random, inner = np.random.default_rng(seed), INNER[name]
-    bodies, twists = pair(name, random), [twist(random), twist(random)]
+    bodies = links_of(name, random)
+    twists = [twist(random) for _ in bodies]
     slopes = np.array(inner.rates(bodies, twists), dtype=float)
     derived = np.array(Inner.rates(inner, bodies, twists), dtype=float)
     assert slopes == pytest.approx(derived, rel=1e-12, abs=1e-12)
@@ -79,7 +98,7 @@ def test_slopes_and_actions_follow_from_the_closure(name: str, seed: int) -> Non
     actions = inner.actions(bodies, multipliers)
     power = works(actions, twists)
     assert power == pytest.approx(float(np.dot(multipliers, np.array(inner.rates(bodies, twists)))), rel=1e-9, abs=1e-9)
-    total = actions[0].plus(actions[1])
+    total = reduce(Wrench.plus, actions)
     assert (total.force.x, total.force.y, total.moment) == pytest.approx((0, 0, 0), abs=1e-9)
     for own, other in zip(actions, Inner.actions(inner, bodies, multipliers), strict=True):
         moved = other.at(own.about)
@@ -91,7 +110,7 @@ def test_rates_of_the_gap_are_its_derivatives(name: str) -> None:
     """Each order against a difference of the one before, where the links move on by their own rates. The gaps of slides
     and of curves are equations of closed joints, whose rates aren't those of one function."""
     random, inner, h = np.random.default_rng(5), INNER[name], 1e-6
-    a, b = body(random), body(random)
+    bodies = [body(random) for _ in range(COUNT[name])]
 
     def later(one: Body, time: float) -> Body:
         powers = np.array([1.0, time, time**2 / 2, time**3 / 6])
@@ -106,10 +125,36 @@ def test_rates_of_the_gap_are_its_derivatives(name: str) -> None:
         place = Vec(on(one.anchor.x), on(one.anchor.y))
         return Body(place, one.local, turning_axis(unit_vector(angle), turn), turn, angle)
 
-    first, second = (inner.gap(later(a, t), later(b, t)) for t in (-h, h))
-    for before, after, now in zip(first, second, inner.gap(a, b), strict=True):
+    first, second = (inner.gap(*(later(one, t) for one in bodies)) for t in (-h, h))
+    for before, after, now in zip(first, second, inner.gap(*bodies), strict=True):
         for k in range(2):
             assert now.d[k + 1] == pytest.approx((after.d[k] - before.d[k]) / (2 * h), rel=1e-5, abs=1e-5)
+
+
+@pytest.mark.parametrize("name", INNER)
+@pytest.mark.parametrize("factor", [2.0, -2.0])
+def test_what_comes_beside_is_in_balance(name: str, factor: float) -> None:
+    """Forces beside the multipliers cancel among the links, and their part that follows from the multipliers grows with
+    their size."""
+    random, inner = np.random.default_rng(8), INNER[name]
+    bodies = links_of(name, random)
+    multipliers = random.normal(size=len(inner.gap(*bodies))).tolist()
+    still, beside, more = (inner.besides(bodies, [k * m for m in multipliers]) for k in (0.0, 1.0, factor))
+    for wrenches in (still, beside):
+        total = reduce(Wrench.plus, wrenches, Wrench.zero(bodies[0].anchor.now))
+        assert (total.force.x, total.force.y, total.moment) == pytest.approx((0, 0, 0), abs=1e-9)
+    for at_rest, once, twice in zip(still, beside, more, strict=True):
+        for axis in "xy":
+            constant, one, two = (float(getattr(w.force, axis)) for w in (at_rest, once, twice))
+            assert two - constant == pytest.approx(abs(factor) * (one - constant), rel=1e-9, abs=1e-12)
+
+
+def test_every_kind_is_covered() -> None:
+    """A kind with an entry of its own needs an example to be among these."""
+    covered = {type(inner) for inner in INNER.values()}
+    assert len(covered) > 3
+    files = " ".join(path.read_text(encoding="utf-8") for path in EXAMPLES.glob("*.yaml"))
+    assert all(f"{{{name}: " in files for name in NEEDED)
 
 
 def test_a_kind_registers_once() -> None:

@@ -62,6 +62,7 @@ TITLES = {
     "load": "Loads",
     "spring": "Springs",
     "friction": "Friction",
+    "gears": "Gears",
     "table": "Tables",
     "drawing": "Drawings",
     "law": "Motion laws",

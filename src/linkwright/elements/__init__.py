@@ -5,9 +5,12 @@ from linkwright.elements import (  # noqa: F401  (each registers itself)
     counterweight,
     coupling,
     friction,
+    gears,
     load,
     pin,
     pin_in_slot,
+    rack,
+    rolling,
     slide,
     spring,
 )

@@ -8,7 +8,7 @@ loaded when a file names a kind that isn't known yet, and for the schema.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Protocol
 
 from pydantic import BaseModel
 
@@ -16,12 +16,30 @@ from linkwright.expressions.fields import Expression, Frozen
 from linkwright.expressions.typed_fields import Context, Quantity, Sign
 from linkwright.expressions.units import Dimension
 from linkwright.expressions.written import FaultWithin
+from linkwright.notation import Pair
 from linkwright.notation.registry import Registry
 from linkwright.plugins import load
 from linkwright.words import add
 
 NumberFault = tuple[Any, Sign, FaultWithin]
 """A condition on numbers, as arithmetic on them: what must have the sign, and the fault of an entry where it hasn't."""
+
+
+class StatedPlaces(Protocol):
+    """Numbers of a file as conditions ask them: in SI, numbers, arrays of samples, or symbols."""
+
+    @property
+    def mechanism(self) -> Any:
+        """The model."""
+
+    def number(self, expression: Expression, dimension: Dimension) -> Any:
+        """The value of an expression."""
+
+    def point(self, link: str, name: str) -> Pair:
+        """A named point of a link, in its frame (m)."""
+
+    def text_of(self, value: Any, dimension: Dimension) -> str:
+        """A value as the file has such ones, with its unit."""
 
 
 class JointEntry(Frozen):
@@ -62,6 +80,11 @@ class JointEntry(Frozen):
         return {}
 
     @property
+    def kinks(self) -> tuple[str, ...]:
+        """Those of its signals at whose changes of sign its forces have a kink."""
+        return ()
+
+    @property
     def joins(self) -> Mapping[str, tuple[Expression, ...]]:
         """The values of its signals at which curves of its closure join, so that the links' jerk jumps there."""
         return {}
@@ -69,6 +92,15 @@ class JointEntry(Frozen):
     def number_faults(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[NumberFault]:
         """What may be wrong with its numbers together; ``value`` gives them in SI: numbers, arrays of samples, or
         symbols."""
+        yield from ()
+
+    def name_faults(self, mechanism: Any) -> Iterator[FaultWithin]:
+        """What is wrong with how it lies among the links and pins, besides names that no element has."""
+        yield from ()
+
+    def place_faults(self, places: StatedPlaces, nominal: bool) -> Iterator[NumberFault]:
+        """What may be wrong with its numbers together with the places of points; ``nominal`` numbers are looked at more
+        closely than those that vary about them by tolerances. Names are sound."""
         yield from ()
 
 

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.elements.clearance import LooseJoint, StatedClearance
+from linkwright.elements.curves import Curve as Curve
 from linkwright.elements.entries import JointEntry, make_known
 from linkwright.expressions.written import FaultWithin
 from linkwright.findings import Term
@@ -207,6 +208,12 @@ class JointReports(Protocol):
     def reaction(self, contact: Any) -> tuple[Array, Array | float]:
         """The reported force (N) of a contact's link on the other side, and its moment (N m; 0 where none is)."""
 
+    def contact(self, joint: str, link: str) -> Any:
+        """The contact of a link in a joint."""
+
+    def turned(self, link: str) -> Array:
+        """A link's angle (rad) over all turns since the first time, by its reported directions and rates."""
+
 
 class Miss(NamedTuple):
     """What a joint's links miss each other by, at some times: lengths (m) or pure numbers."""
@@ -226,20 +233,6 @@ class Rate(NamedTuple):
 
 
 Reaction = Callable[[str], Wrench]
-
-
-class Curve(NamedTuple):
-    """A line that is drawn on a link: an open one becomes a slot, a closed one is drawn as it is.
-
-    ``place`` gives its places (m) in the link's axes at values of a parameter that runs between two ``ends``; they may
-    be numbers, arrays or symbols.
-    """
-
-    link: str
-    place: Callable[[Scalar], Pair]
-    ends: tuple[Scalar, Scalar]
-    closed: bool = False
-    points: int = 65
 
 
 class JointKind(ABC):
@@ -349,6 +342,11 @@ class JointKind(ABC):
     @abstractmethod
     def applied(self, reports: JointReports, contact: ContactReaction) -> Applied:
         """What a reported reaction does: (link, force on it in N, place, moment)."""
+
+    def misfits(self, reports: JointReports, joint: str) -> list[Array]:
+        """By what reported reactions miss the law that they follow besides the closure (N), such as the pressure angle
+        of teeth."""
+        return []
 
 
 KINDS: Registry[JointKind] = Registry()

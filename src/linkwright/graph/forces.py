@@ -7,15 +7,17 @@ body that it hangs on is the sum of its wrenches.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import reduce
 
 import casadi as ca
 
 from linkwright.elements import Twist
+from linkwright.elements.force import Reactions, Resistance
 from linkwright.graph.friction import FrictionSystem, Resisting
 from linkwright.graph.geometry import ZERO
+from linkwright.graph.higher_groups import Beside
 from linkwright.graph.motion import Motion
 from linkwright.graph.placing import outer_joint
 from linkwright.groups.linear import Factor
@@ -61,9 +63,10 @@ def solve_forces(
     if not resisting:
         return _balanced(motion, own, pushes, holds)
     still = {link: Wrench.zero(body.anchor.now) for link, body in motion.bodies.items()}
-    alone = [_balanced(motion, _added(still, dict(one.units), 1.0), pushes, None) for one in resisting]
-    system = FrictionSystem.of(resisting, _balanced(motion, own, pushes, None), alone)
-    efforts = system.solved()
+    every = [*resisting, *separating(motion)]
+    alone = [_balanced(motion, _added(still, dict(one.units), 1.0), pushes, None, Beside.NONE) for one in every]
+    system = FrictionSystem.of(every, _balanced(motion, own, pushes, None, Beside.CONSTANT), alone)
+    efforts = system.solved()[: len(resisting)]
     for one, effort in zip(resisting, efforts, strict=True):
         own = _added(own, dict(one.units), effort)
     forces = _balanced(motion, own, pushes, None)
@@ -76,12 +79,13 @@ def _balanced(
     own: dict[str, Wrench],
     pushes: Efforts | None,
     holds: Mapping[str, tuple[dict[str, Wrench], Scalar]] | None,
+    beside: Beside = Beside.ALL,
 ) -> Forces:
     """All forces under the wrenches of the links."""
     units = unit_efforts(motion) | (pushes or {})
     if not units:
-        return _Solver(motion, own).run()
-    lacking = _Solver(motion, own).run().efforts
+        return _Solver(motion, own, beside).run()
+    lacking = _Solver(motion, own, Beside.NONE).run().efforts
     efforts = dict(zip(units, lever(motion, units).solve([-lacking[name] for name in units]), strict=True))
     for name, unit in units.items():
         if holds and name in holds:
@@ -92,9 +96,32 @@ def _balanced(
             own = _added(own, unit, ca.if_else(pulls, 0.0, effort))
         else:
             own = _added(own, unit, efforts[name])
-    forces = _Solver(motion, own).run()
+    forces = _Solver(motion, own, beside).run()
     forces.efforts |= efforts
     return forces
+
+
+def separating(motion: Motion) -> Iterator[Resisting]:
+    """Forces that follow from the size of a closure's multiplier, as of teeth that push gears apart: efforts like those
+    of friction, where reactions have to be linear in what acts."""
+    for solved in motion.higher_groups.values():
+        for c, inner in solved.closures:
+            bodies = [motion.bodies[link] for link in c.links]
+            at_rest, loaded = (inner.besides(bodies, [size] * c.rows) for size in (0.0, 1.0))
+            units = [
+                (link, more.plus(less.opposite)) for link, more, less in zip(c.links, loaded, at_rest, strict=False)
+            ]
+            if c.rows != 1 or all(is_zero(part) for _, unit in units for part in (*unit.force, unit.moment)):
+                continue
+            along = inner.actions(bodies, [1.0])[0].force
+            law, link = Resistance(1.0, 0.0), c.links[0]
+
+            def seats(
+                reactions: Reactions, joint: str = c.joint, link: str = link, along: Pair = along
+            ) -> list[tuple[Scalar, ...]]:
+                return [(reactions(joint, link).force.dot(along) / along.dot(along),)]
+
+            yield Resisting(c.joint, units, law, seats)
 
 
 Efforts = dict[str, dict[str, Wrench]]
@@ -113,7 +140,7 @@ def unit_efforts(motion: Motion) -> Efforts:
 def lever(motion: Motion, units: Efforts) -> Factor:
     """What each unit effort leaves to be exerted at each output: minus the rates of the drives over their outputs."""
     zero = {link: Wrench.zero(ZERO) for link in motion.bodies}
-    answers = [_Solver(motion, zero | unit).run().efforts for unit in units.values()]
+    answers = [_Solver(motion, zero | unit, Beside.NONE).run().efforts for unit in units.values()]
     return Factor([[answer[name] for answer in answers] for name in units])
 
 
@@ -123,8 +150,8 @@ def _added(own: dict[str, Wrench], unit: dict[str, Wrench], effort: Scalar) -> d
 
 
 class _Solver:
-    def __init__(self, motion: Motion, wrenches: dict[str, Wrench]) -> None:
-        self.motion, self.wrenches = motion, dict(wrenches)
+    def __init__(self, motion: Motion, wrenches: dict[str, Wrench], beside: Beside = Beside.ALL) -> None:
+        self.motion, self.wrenches, self.beside = motion, dict(wrenches), beside
         self.forces = Forces()
         self.carried: dict[tuple[str, str], Wrench] = {}
 
@@ -180,7 +207,7 @@ class _Solver:
 
     def higher_group(self, step: HigherGroup) -> None:
         solved, bodies = self.motion.higher_groups[step], self.motion.bodies
-        actions = solved.balance({link: self.wrenches[link] for link in step.links}, bodies)
+        actions = solved.balance({link: self.wrenches[link] for link in step.links}, bodies, self.beside)
         for connection, wrenches in zip(step.closures, actions, strict=True):
             for link, own in zip(connection.links, wrenches, strict=True):
                 self.react(connection.joint, link, own.opposite)

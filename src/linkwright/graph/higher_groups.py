@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from enum import Enum
 from functools import partial
 from itertools import islice, product
 from typing import TYPE_CHECKING
@@ -27,6 +28,15 @@ from linkwright.structure import Connection, HigherGroup, LinkPlacement
 
 if TYPE_CHECKING:
     from linkwright.graph.motion import Motion, Unknowns
+
+
+class Beside(Enum):
+    """Which forces that come beside the multipliers of closures (:meth:`Inner.besides`) are counted: all, those that
+    are there without multipliers, or none, where all forces must be linear."""
+
+    ALL = "all"
+    CONSTANT = "constant"
+    NONE = "none"
 
 
 @dataclass(frozen=True)
@@ -53,22 +63,23 @@ class SolvedHigherGroup:
             product = product * call("sqrt", sum((entry * entry for entry in column), 0.0))
         return self.factor.determinant() / product
 
-    def balance(self, wrenches: dict[str, Wrench], bodies: dict[str, Body]) -> list[list[Wrench]]:
+    def balance(self, wrenches: dict[str, Wrench], bodies: dict[str, Body], beside: Beside) -> list[list[Wrench]]:
         """The wrenches on the links of each closure that keep all links in equilibrium."""
         multipliers = self._answer(wrenches)
         found = self._actions(multipliers, bodies)
         # Forces that follow from the multipliers and do no work leave these as they are; other closures answer them.
         left, more = multipliers, []
         for c, inner in self.closures:
-            more.append(inner.besides([bodies[link] for link in c.links], left[: c.rows]))
+            follows = left[: c.rows] if beside is Beside.ALL else [0.0] * c.rows
+            more.append([] if beside is Beside.NONE else inner.besides([bodies[link] for link in c.links], follows))
             left = left[c.rows :]
         if not any(more):
             return found
-        beside: dict[str, Wrench] = {}
+        extras: dict[str, Wrench] = {}
         for (c, _), extra in zip(self.closures, more, strict=True):
             for link, wrench in zip(c.links, extra, strict=False):
-                beside[link] = beside[link].plus(wrench) if link in beside else wrench
-        answers = self._actions(self._answer(beside), bodies)
+                extras[link] = extras[link].plus(wrench) if link in extras else wrench
+        answers = self._actions(self._answer(extras), bodies)
         return [
             [own.plus(answer).plus(extra[k]) if extra else own.plus(answer) for k, (own, answer) in enumerate(pairs)]
             for pairs, extra in (

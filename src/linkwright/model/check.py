@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
-from linkwright.elements.entries import NOUNS
+from linkwright.elements.entries import NOUNS, JointEntry
 from linkwright.elements.points import links_of_points
 from linkwright.expressions.language import FUNCTIONS
 from linkwright.expressions.unknown import likeliest
@@ -89,6 +89,10 @@ def _collisions(m: Mechanism) -> Iterator[Finding]:
 
 def _joints(m: Mechanism) -> Iterator[Finding]:
     points = links_of_points(m)
+    for name, joint in m.joints_but_pins():
+        if isinstance(joint, JointEntry):
+            for code, data, *within in joint.name_faults(m):
+                yield Finding(code, ("joints", name, *within), data)
     for name, joint in m.joints.items():
         ends = joint.joint_points
         if len({*joint.links}) < len(joint.links):

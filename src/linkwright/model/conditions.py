@@ -23,6 +23,8 @@ from linkwright.findings import Finding, Term
 from linkwright.model.places import ExpressionPlace, Scope, position_parts
 from linkwright.model.quantities import LARGEST, Quantities
 from linkwright.model.walk import QuantityPlace
+from linkwright.notation import Pair
+from linkwright.notation.planar import unit_vector
 
 CONSTANT = (Scope.CONSTANT, Scope.LOAD)
 """Where constants stand; a load may vary, and is then looked at while it moves."""
@@ -67,13 +69,13 @@ def finite(q: Quantities, values: Values, names: bool = True) -> Iterator[Condit
             yield condition
 
 
-def conditions(q: Quantities, values: Values) -> Iterator[Condition]:
+def conditions(q: Quantities, values: Values, nominal: bool = False) -> Iterator[Condition]:
     """All further ones, of numbers that are finite. Of those with the same code and path the first counts that is
-    broken."""
+    broken. ``nominal`` numbers don't vary about others."""
     stated = [site for site in q.fields if isinstance(site, QuantityPlace)]
     signs = (one for site in stated for one in signed(q, values, site))
     intervals = (one for site in stated for one in _interval(q, values, site))
-    return chain(signs, _elements(q, values), _rods(q, values), intervals)
+    return chain(signs, _elements(q, values, nominal), _rods(q, values), intervals)
 
 
 def _finite(q: Quantities, values: Values, place: ExpressionPlace) -> Condition | None:
@@ -108,12 +110,40 @@ def _interval(q: Quantities, values: Values, site: QuantityPlace) -> Iterator[Co
         yield Condition(high - low, Sign.NOT_NEGATIVE if ends is Ends.ORDERED else Sign.POSITIVE, finding)
 
 
-def _elements(q: Quantities, values: Values) -> Iterator[Condition]:
+@dataclass(frozen=True)
+class _Places:
+    """The numbers of a mechanism and the places of its points, from whatever gives the values."""
+
+    q: Quantities
+    values: Values
+
+    @property
+    def mechanism(self) -> Any:
+        return self.q.mechanism
+
+    def number(self, expression: Expression, dimension: Dimension) -> Any:
+        return self.values(expression, dimension)
+
+    def point(self, link: str, name: str) -> Pair:
+        position = self.q.mechanism.links[link].points[name]
+        first, second = (self.values(*part) for part in position_parts(position))
+        if not position.polar:
+            return Pair(first, second)
+        heading = unit_vector(second)
+        return Pair(first * heading.x, first * heading.y)
+
+    def text_of(self, value: Any, dimension: Dimension) -> str:
+        unit, size = self.q.unit_of(dimension)
+        return f"{value / size:.6g} {unit}" if isinstance(value, int | float) else "-"
+
+
+def _elements(q: Quantities, values: Values, nominal: bool) -> Iterator[Condition]:
     """What elements say of their numbers together."""
-    m = q.mechanism
+    m, places = q.mechanism, _Places(q, values)
     stated: list[tuple[tuple[str | int, ...], Iterator[NumberFault]]] = [
         *((one.path, one.entry.number_faults(values)) for one in m.acting()),
         *((("joints", name), joint.number_faults(values)) for name, joint in m.joints_but_pins()),
+        *((("joints", name), joint.place_faults(places, nominal)) for name, joint in m.joints_but_pins()),
     ]
     for element, faults in stated:
         for margin, sign, (code, data, *path) in faults:

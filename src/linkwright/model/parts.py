@@ -175,6 +175,7 @@ class Joint(Frozen):
     follows: ClassVar[bool] = False
     one_sided: ClassVar[Mapping[str, int]] = {}
     joins: ClassVar[Mapping[str, tuple[Expression, ...]]] = {}
+    kinks: ClassVar[tuple[str, ...]] = ()
 
     @property
     def limits(self) -> Two | None:
@@ -183,6 +184,10 @@ class Joint(Frozen):
 
     def number_faults(self, value: Any) -> Iterator[NumberFault]:
         """What may be wrong with the values of its numbers together: nothing that the fields don't say."""
+        yield from ()
+
+    def place_faults(self, places: Any, nominal: bool) -> Iterator[NumberFault]:
+        """The same with the places of points."""
         yield from ()
 
     @property

@@ -22,7 +22,8 @@ def check_values(quantities: Quantities) -> list[Finding]:
     bad = [*broken(quantities, finite(quantities, quantities.value))]
     if bad and quantities.samples is None:
         return bad
-    return [*bad, *broken(quantities, conditions(quantities, quantities.value)), *_slides(quantities)]
+    stated = conditions(quantities, quantities.value, nominal=quantities.samples is None)
+    return [*bad, *broken(quantities, stated), *_slides(quantities)]
 
 
 def broken(q: Quantities, stated: Iterable[Condition]) -> Iterator[Finding]:

@@ -20,6 +20,7 @@ from linkwright.graph.rows import BodyPlace, Named, WindowRow
 from linkwright.kernels import Compiled
 from linkwright.kernels.motions import StatedMotion
 from linkwright.notation import Jet
+from linkwright.notation.angles import wrapped
 from linkwright.results.run import combined
 from linkwright.structure import FRAME
 
@@ -150,11 +151,27 @@ class Reports:
 
     def misfits(self) -> list[Misfit]:
         """By what they report of themselves misses what the motion makes of them."""
-        return [found for one in self.every for found in one.kind.misfits(self, one.name, one.entry)]
+        found = [found for one in self.every for found in one.kind.misfits(self, one.name, one.entry)]
+        joints = self.topology.joints.items()
+        return [*found, *(Misfit(miss, True) for name, (kind, _) in joints for miss in kind.misfits(self, name))]
 
     def omega(self, link: str) -> Array:
         """A link's angular velocity (rad/s)."""
-        return np.zeros(self.count) if link == FRAME else self.rows[f"{link}.omega"]
+        return np.zeros(self.count) if link == FRAME else np.asarray(self.rows[f"{link}.omega"])
+
+    def turned(self, link: str) -> Array:
+        """A link's angle (rad) over all turns since the first time: the reported rates tell the turns, the reported
+        directions the rest."""
+        x, y = self.rotated(link, (1.0, 0.0))
+        angle = np.arctan2(y, x) + np.zeros(self.count)
+        if link == FRAME:
+            return np.asarray(angle)
+        omega, alpha, step = self.rows[f"{link}.omega"], self.rows[f"{link}.alpha"], np.diff(self.t)
+        # Euler and Maclaurin's rule: the trapezium less its error by the slopes at its ends.
+        about = step * (omega[1:] + omega[:-1]) / 2 - step**2 * np.diff(alpha) / 12
+        about = np.where(np.isfinite(about), about, 0.0)
+        turned = about + wrapped(np.diff(angle) - about)
+        return np.asarray(angle[:1] + np.concatenate([[0.0], np.cumsum(turned)]))
 
     def table(self, name: str, argument: Array) -> Array:
         """What a table says of arguments; NaN outside of it."""
@@ -187,6 +204,11 @@ class Reports:
         """The reported force of a contact's link on the other side, and its moment; 0 where none is reported."""
         force = np.array([self.rows[self.force_name(contact, axis)] for axis in "xy"])
         return force, self.rows.get(self.force_name(contact, "moment"), 0.0)
+
+    def contact(self, joint: str, link: str) -> Any:
+        """The contact of a link in a joint."""
+        found: Any = next(c for c in self.contacts if (c.joint, c.link) == (joint, link))
+        return found
 
     def joint_of(self, mover: str) -> str:
         """The joint at which a drive or follower moves its link."""

@@ -54,6 +54,7 @@ def jammed(run: Run) -> list[Finding]:
     if np.isfinite(share[worst]):
         return [_finding_at(run, "friction.jams", resisting[0].path, float(t[worst]), share=f"{share[worst]:.3g}")]
     own = run.compiled.evaluate([f"{one.name}.{one.kind.effort(one.entry)}" for one in resisting], t)
+    efforts = efforts[: len(resisting)]  # the others follow from the sizes of forces, as those of teeth
     away = np.abs(own - efforts).max(axis=0) / np.maximum(np.abs(efforts).max(axis=0), 1e-300)
     late = int(np.argmax(np.nan_to_num(away, nan=np.inf)))
     if not away[late] <= NEAR:

@@ -12,12 +12,13 @@ import numpy as np
 from pydantic import BeforeValidator, Field
 
 from linkwright.elements import Inner, JointKind, register
+from linkwright.elements.curves import Curve, circle
 from linkwright.elements.entries import JointEntry
-from linkwright.elements.joint import Curve, Miss, Rate
+from linkwright.elements.joint import Miss, Rate
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Name
 from linkwright.expressions.typed_fields import Quantity, Ref, Sign
-from linkwright.notation import Jet, Pair
+from linkwright.notation import Jet
 from linkwright.notation.jets import call
 
 _Link = Annotated[Name, Ref("link")]
@@ -95,7 +96,7 @@ class GearOnCarrier(JointKind):
         radius = call("hypot", *away) / (1.0 + geometry.number(entry.ratio, u.PURE))
         found = []
         for link, point, size in ((a, centres[0], radius), (b, centres[1], call("hypot", *away) - radius)):
-            found.append(Curve(link, _circle(geometry.point(link, point), size), (0.0, 2 * np.pi), closed=True))
+            found.append(circle(link, geometry.point(link, point), size))
         return found
 
     def misses(self, reports: Any, joint: str, links: Any) -> list[Miss]:
@@ -122,7 +123,3 @@ class GearOnCarrier(JointKind):
             reports.point_position(contact.link, reports.geometry.point(contact.link, point)),
             -moment,
         )
-
-
-def _circle(centre: Any, radius: Any) -> Any:
-    return lambda turn: Pair(centre.x + radius * call("cos", turn), centre.y + radius * call("sin", turn))

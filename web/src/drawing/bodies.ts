@@ -20,17 +20,27 @@ export function bodies(facts: Facts, view: View, r: number, parent: Element): Mo
     bodies: svg("g", { class: "lw-bodies" }, parent),
     blocks: svg("g", { class: "lw-blocks" }, parent),
   };
-  const parts = facts.scene.links
+  const outlines = (link: LinkData, layer: Element) => {
+    for (const line of link.outlines ?? []) {
+      const d = line.map((at) => inPath(toPixels(at))).join("L");
+      svg("path", { class: "lw-slot lw-outline", d: `M${d}Z` }, layer);
+    }
+  };
+  const fixed = facts.scene.links
+    .filter((link) => link.fixed && link.outlines?.length)
+    .map((link) => {
+      const group = svg("g", { class: "lw-on-frame" }, layers.slots);
+      outlines(link, group);
+      return { link, groups: [group] };
+    });
+  const moving = facts.scene.links
     .filter((link) => !link.fixed)
     .map((link) => {
       const inLayer = (layer: Element) => svg("g", { class: colourOf(facts, link) }, layer);
       const groups = [inLayer(layers.slots), inLayer(layers.bodies), inLayer(layers.blocks)] as const;
       const [slots, body, blocks] = groups;
       const sliding = slides(facts, link, toPixels, view.k, groups);
-      for (const line of link.outlines ?? []) {
-        const d = line.map((at) => inPath(toPixels(at))).join("L");
-        svg("path", { class: "lw-slot lw-outline", d: `M${d}Z` }, slots);
-      }
+      outlines(link, slots);
       const points = Object.values(link.points).map(toPixels);
       const ring = hull(points).length;
       const drawn = inCylinder(facts.guides, link) ? ring > 2 : ring > 1 || !sliding;
@@ -38,7 +48,7 @@ export function bodies(facts: Facts, view: View, r: number, parent: Element): Mo
       return { link, groups: [slots, body, blocks] };
     });
   return (sample, f) => {
-    for (const { link, groups } of parts) {
+    for (const { link, groups } of [...fixed, ...moving]) {
       const pose = poseOf(link, facts.times, sample, f);
       for (const group of groups) putShape(group, pose, view);
     }

@@ -18,6 +18,8 @@ Array = NDArray[np.float64]
 Placed = Callable[[Array], Array]
 """From a link's axes into the picture."""
 
+FIXED = "lw-on-frame"
+"""The class of what is drawn of the fixed link."""
 FAINT = 0.5
 """Faint lines may differ by so much from those that they stand for, in pixels."""
 
@@ -32,8 +34,9 @@ class Layers:
 
 
 def bodies(survey: Survey, view: View, r: float, k: int) -> str:
-    """All moving links that have a place at a sample. ``r``: half a bar's width."""
-    drawn = [(survey.colour(link["name"]), _layers(link, survey, view, r, k)) for link in survey.moving]
+    """All moving links that have a place at a sample, and outlines on the fixed one. ``r``: half a bar's width."""
+    drawn = [(FIXED, _outlined(link, survey, view, k)) for link in survey.scene["links"] if link["fixed"]]
+    drawn += [(survey.colour(link["name"]), _layers(link, survey, view, r, k)) for link in survey.moving]
     return "".join(
         f'<path class="{kind} {colour}" d="{d}"/>'
         for layer in ("slots", "bodies", "blocks")
@@ -52,6 +55,15 @@ def ghosts(survey: Survey, view: View, r: float, samples: list[int]) -> str:
     return f'<g class="lw-ghost">{paths}</g>' if paths else ""
 
 
+def _outlined(link: LinkData, survey: Survey, view: View, k: int, unseen: float = UNSEEN) -> Layers:
+    """The outlines of joints on a link, such as pitch circles."""
+    poses, found = survey.poses[link["name"]], Layers()
+    for shape in link.get("outlines", ()):
+        placed = view.to_picture(poses.at(k, np.array(shape, float)))
+        found.slots.append(("lw-slot lw-outline", line(placed, closed=True, unseen=unseen)))
+    return found
+
+
 def _layers(link: LinkData, survey: Survey, view: View, r: float, k: int, unseen: float = UNSEEN) -> Layers:
     poses, found = survey.poses[link["name"]], Layers()
     if not poses.known[k]:
@@ -66,8 +78,7 @@ def _layers(link: LinkData, survey: Survey, view: View, r: float, k: int, unseen
             if side.link == link["name"]:
                 sliding = True
                 _slide(guide, side, view, placed, found)
-    for shape in link.get("outlines", ()):
-        found.slots.append(("lw-slot lw-outline", line(placed(np.array(shape, float)), closed=True, unseen=unseen)))
+    found.slots += _outlined(link, survey, view, k, unseen).slots
     ring = hull(np.array(list(link["points"].values()), float).reshape(-1, 2) * view.k) / view.k
     shown = len(ring) > 1 or not sliding
     if len(ring) > 2 or (shown and not in_cylinder(survey.guides, link["name"])):

@@ -27,10 +27,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "60 mm, coefficient: 0.12}}}}'. linkwright has no friction of cams and pins in slots yet.",
     ),
     "element.gear": (
-        "'{name}': linkwright has no gears yet.",
-        "A pair of gears turns two links in a fixed ratio. If one is driven, couple the other to it under joints: 'mesh: "
-        "{{coupling: [gear2, frame], follows: -motor.angle*z1/z2}}'. The torque of the coupling is what the gears "
-        "transmit; the forces of the teeth aren't computed.",
+        "'{name}': gears are written under joints, as gears.",
+        "For example 'joints: {{mesh: {{gears: [pinion, wheel], centres: [A, D], teeth: [20, 40], module: 2 mm}}}}'; a planet "
+        "gear names its carrier, 'carrier: arm', and a ring 'internal: ring'. Of a gearbox of which only the ratio matters: "
+        "'{{coupling: [gear2, frame], follows: -motor.angle*z1/z2}}'.",
     ),
     "element.geneva": (
         "'{name}': linkwright has no Geneva drives yet.",
@@ -54,15 +54,15 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "rod], at: [B1, B2]}}}}'.",
     ),
     "element.rack": (
-        "'{name}': linkwright has no rack and pinion yet.",
-        "A rack travels in a fixed ratio to its pinion's angle. If the law of one is known, give each a drive of its "
-        "own, the rack's travel being the pinion's radius times its angle: 'b: {{slides: rack, on: frame, position: "
-        "r*(LAW OF THE PINION)}}'.",
+        "'{name}': a rack is written under joints, as rack.",
+        "For example 'joints: {{mesh: {{rack: [pinion, slider], centre: M, pitch_line: G at 0 deg, radius: 25 mm}}}}', with M the "
+        "pinion's centre and G a point of the slider on the pitch line.",
     ),
     "element.rolling": (
-        "'{name}': linkwright has no rolling contact yet.",
-        "Rolling without slip is a fixed ratio between two motions. If the law of one is known, give the other a "
-        "drive of its own in that ratio, for example 'position: -(TRAVEL)/r' for the angle of a wheel of radius r.",
+        "'{name}': rolling contact is written under joints, as rolling.",
+        "For example 'joints: {{ground: {{rolling: [wheel, frame], centre: C, radius: 60 mm, on_line: G at 0 deg}}}}', or "
+        "'on_circle: {{centre: M, radius: 80 mm}}'. Wheels that a carrier holds at their distance are gears with the pressure "
+        "angle 0.",
     ),
     "element.rope": (
         "'{name}': linkwright has no ropes and cables yet.",

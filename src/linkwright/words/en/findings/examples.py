@@ -29,6 +29,8 @@ _EXAMPLES = {
     "slot-place": "Example: [30, 8]",
     "slot-places": "Example: [[0, 0], [30, 8], [60, 0]]",
     "two-points": "Example: [B1, B2]",
+    "two-numbers": "Example: [20, 40]",
+    "two-radii": "Example: [30, 60]",
     "two-lines": "Example: [F at 0 deg, C at 0 deg]",
     "numbers": "Example: [1, 2.5, 4]",
     "segments": "Example: [{{rise: 10, over: 90 deg}}, {{dwell: 90 deg}}]",

@@ -25,9 +25,9 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "coefficient: 0.12}}}}”。linkwright 尚不支持凸轮和销槽副的摩擦。",
     ),
     "element.gear": (
-        "“{name}”：linkwright 尚不支持齿轮。",
-        "一对齿轮使两个构件按固定传动比转动。若其中一个由驱动带动，在 joints 中使另一个与之联动：“mesh: {{coupling: [gear2, frame], follows: "
-        "-motor.angle*z1/z2}}”。联动的力矩即为齿轮所传递的力矩；齿面力不作计算。",
+        "“{name}”：齿轮副在 joints 中以 gears 定义。",
+        "例如“joints: {{mesh: {{gears: [pinion, wheel], centres: [A, D], teeth: [20, 40], module: 2 mm}}}}”；行星轮用“carrier: arm”给出行星架，"
+        "内齿圈用“internal: ring”给出。只关心传动比的减速器可用联动：“{{coupling: [gear2, frame], follows: -motor.angle*z1/z2}}”。",
     ),
     "element.geneva": (
         "“{name}”：linkwright 尚不支持槽轮机构。",
@@ -47,13 +47,13 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "在两个构件上为该点取同一名称。若两点名称不同：“joints: {{B: {{revolute: [crank, rod], at: [B1, B2]}}}}”。",
     ),
     "element.rack": (
-        "“{name}”：linkwright 尚不支持齿轮齿条。",
-        "齿条的位移与小齿轮的转角成固定比例。若其中一个的运动规律已知，为二者分别设置驱动，齿条的位移等于小齿轮的半径与转角之积：“b: {{slides: rack, on: frame, "
-        "position: r*(小齿轮的运动规律)}}”。",
+        "“{name}”：齿条副在 joints 中以 rack 定义。",
+        "例如“joints: {{mesh: {{rack: [pinion, slider], centre: M, pitch_line: G at 0 deg, radius: 25 mm}}}}”，其中 M 为小齿轮中心，G 为 slider 上节线的一点。",
     ),
     "element.rolling": (
-        "“{name}”：linkwright 尚不支持滚动接触。",
-        "无滑动的滚动使两个运动成固定比例。若其中一个的运动规律已知，按该比例为另一个单独设置驱动，例如半径为 r 的轮的转角：“position: -(位移)/r”。",
+        "“{name}”：滚动接触在 joints 中以 rolling 定义。",
+        "例如“joints: {{ground: {{rolling: [wheel, frame], centre: C, radius: 60 mm, on_line: G at 0 deg}}}}”，或“on_circle: {{centre: M, radius: 80 mm}}”。"
+        "由行星架保持中心距的摩擦轮，用压力角为 0 的齿轮副表示。",
     ),
     "element.rope": (
         "“{name}”：linkwright 尚不支持绳索和钢丝绳。",

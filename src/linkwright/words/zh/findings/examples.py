@@ -29,6 +29,8 @@ _EXAMPLES = {
     "slot-place": "示例：[30, 8]",
     "slot-places": "示例：[[0, 0], [30, 8], [60, 0]]",
     "two-points": "示例：[B1, B2]",
+    "two-numbers": "示例：[20, 40]",
+    "two-radii": "示例：[30, 60]",
     "two-lines": "示例：[F at 0 deg, C at 0 deg]",
     "numbers": "示例：[1, 2.5, 4]",
     "segments": "示例：[{{rise: 10, over: 90 deg}}, {{dwell: 90 deg}}]",

@@ -1,0 +1,75 @@
+"""Problems of gears, racks, belts and rolling."""
+
+PROBLEMS: dict[str, tuple[str, str]] = {
+    "joint.carrier": (
+        "The carrier '{carrier}' isn't pinned to {wheel} at {centre}, so nothing keeps the centre distance.",
+        "Name the link that is pinned to both wheels at their centres, for example 'carrier: arm'; without carrier it is "
+        "the frame. Links that are: {able}.",
+    ),
+    "gears.size": (
+        "Gears need either teeth or pitch radii; given: {given}.",
+        "For example teeth: [20, 40] for the two gears in the order of gears (with module, if it is known), or "
+        "radii: [30, 60].",
+    ),
+    "gears.module": (
+        "A module is given, but no numbers of teeth.",
+        "Write teeth: [20, 40] instead of radii, or remove module.",
+    ),
+    "gears.internal": (
+        "The internal gear (ring) '{name}' isn't one of the two gears {gears}.",
+        "Write the link of the ring: for example gears: [planet, ring], internal: ring.",
+    ),
+    "gears.ring": (
+        "The ring {ring} isn't larger than the gear inside it.",
+        "Give the ring more teeth, or the larger radius, in the order of gears: gears: [planet, ring], teeth: [20, 80]. For "
+        "external gears remove internal.",
+    ),
+    "gears.whole": (
+        "A number of teeth isn't a whole number.",
+        "Write whole numbers, for example teeth: [20, 40]; a ratio of any value is given by radii.",
+    ),
+    "gears.pressure": (
+        "The pressure angle isn't between 0 and 90 deg.",
+        "Write the pressure angle of the teeth, mostly 20 deg; without module 0 deg for wheels without a separating force.",
+    ),
+    "gears.concentric": (
+        "The centres of both gears are at the same place of {carrier}.",
+        "Give the carrier two points at the centre distance of the gears. For wheels on one shaft, put both on one link.",
+    ),
+    "gears.distance": (
+        "The gears don't fit: their pitch radii give a centre distance of {radii}, but on {carrier} it is {distance}.",
+        "Change radii or the points of {carrier}; or give teeth instead, so that the pitch radii follow from the distance.",
+    ),
+    "gears.shift": (
+        "The gears don't fit: with this module their centre distance is {reference}, but on {carrier} it is {distance}.",
+        "Change module, teeth, or the points of {carrier}. Profile shift may change the distance by at most one module, "
+        "and the working pressure angle must exist: distance > reference distance times cos(pressure angle).",
+    ),
+    "gears.pinion": (
+        "A rack needs either the pitch radius of its pinion, or teeth and module; given: {given}.",
+        "For example radius: 25 mm, or teeth: 20 with module: 2.5 mm.",
+    ),
+    "gears.guide": (
+        "The carrier '{carrier}' doesn't keep the distance of {pinion} and {rack}: it must be pinned to the pinion at its centre, "
+        "and the rack must slide on it.",
+        "Name the link with both joints, for example 'carrier: housing'; without carrier it is the frame. Links that have both: "
+        "{able}.",
+    ),
+    "gears.rack-line": (
+        "The line of the rack {rack} isn't parallel to the guide in which the rack slides.",
+        "Give the line the direction of the prismatic joint's line on that link.",
+    ),
+    "gears.path": (
+        "A disc rolls on exactly one of on_line and on_circle; given: {given}.",
+        "For example on_line: G at 0 deg, or on_circle: {{centre: M, radius: 80}}, with inside: true for a disc in a ring.",
+    ),
+    "gears.same-radius": (
+        "The disc fills the circle inside which it is to roll.",
+        "Give the circle another radius than the disc; without inside the disc rolls on the outside of the circle.",
+    ),
+    "gears.rack-distance": (
+        "The rack doesn't fit: its line is {distance} from the pinion's centre, but the pitch radius is {radius}.",
+        "Change the radius (teeth, module), or the points of the line, of the guide and of the centre. With a module, profile "
+        "shift may change the distance by at most one module.",
+    ),
+}

@@ -1,0 +1,68 @@
+"""齿轮、齿条、带传动与滚动接触的问题。"""
+
+PROBLEMS: dict[str, tuple[str, str]] = {
+    "joint.carrier": (
+        "行星架（转臂）“{carrier}”未在 {centre} 处与 {wheel} 铰接，因此中心距没有保证。",
+        "用 carrier 给出在两轮中心处都与其铰接的构件，例如“carrier: arm”；不写 carrier 时为机架。满足条件的构件：{able}。",
+    ),
+    "gears.size": (
+        "齿轮副必须给出齿数或节圆半径之一；已给出：{given}。",
+        "例如 teeth: [20, 40]，按 gears 的顺序给出两轮齿数（已知模数时再给 module），或 radii: [30, 60]。",
+    ),
+    "gears.module": (
+        "给出了模数，但没有齿数。",
+        "用 teeth: [20, 40] 代替 radii，或删除 module。",
+    ),
+    "gears.internal": (
+        "内齿轮“{name}”不是这两个齿轮之一：{gears}。",
+        "写内齿圈所在的构件，例如 gears: [planet, ring], internal: ring。",
+    ),
+    "gears.ring": (
+        "内齿圈 {ring} 不大于其内部的齿轮。",
+        "按 gears 的顺序给内齿圈较多的齿数或较大的半径：gears: [planet, ring], teeth: [20, 80]。外啮合时请删除 internal。",
+    ),
+    "gears.whole": (
+        "齿数不是整数。",
+        "写整数，例如 teeth: [20, 40]；任意传动比请用 radii 给出。",
+    ),
+    "gears.pressure": (
+        "压力角不在 0 与 90 deg 之间。",
+        "写轮齿的压力角，通常为 20 deg；没有径向分离力的轮写 0 deg（此时不写 module）。",
+    ),
+    "gears.concentric": (
+        "两个齿轮的中心位于 {carrier} 的同一处。",
+        "在该构件上给出两个相距为中心距的点。同轴的轮请放在同一个构件上。",
+    ),
+    "gears.distance": (
+        "齿轮不匹配：由节圆半径得到的中心距为 {radii}，而 {carrier} 上的中心距为 {distance}。",
+        "修改 radii 或 {carrier} 上的点；也可改为给出 teeth，节圆半径由中心距得出。",
+    ),
+    "gears.shift": (
+        "齿轮不匹配：按此模数，标准中心距为 {reference}，而 {carrier} 上的中心距为 {distance}。",
+        "修改 module、teeth 或 {carrier} 上的点。变位引起的中心距变化最多为一个模数，且工作压力角必须存在：中心距大于标准中心距与压力角余弦之积。",
+    ),
+    "gears.pinion": (
+        "齿条副必须给出小齿轮的节圆半径，或齿数和模数；已给出：{given}。",
+        "例如 radius: 25 mm，或 teeth: 20 与 module: 2.5 mm。",
+    ),
+    "gears.guide": (
+        "构件“{carrier}”不能保持 {pinion} 与 {rack} 的距离：它必须在小齿轮中心处与其铰接，且齿条必须在其上滑动。",
+        "用 carrier 给出同时具有这两个运动副的构件，例如“carrier: housing”；不写 carrier 时为机架。满足条件的构件：{able}。",
+    ),
+    "gears.rack-line": (
+        "齿条 {rack} 的节线与齿条的导轨不平行。",
+        "使该直线的方向与移动副在此构件上的直线方向一致。",
+    ),
+    "gears.path": (
+        "圆盘的滚动必须在 on_line 和 on_circle 中给出且只给出一项；已给出：{given}。",
+        "例如 on_line: G at 0 deg，或 on_circle: {{centre: M, radius: 80}}；圆盘在环内滚动时加 inside: true。",
+    ),
+    "gears.same-radius": (
+        "圆盘与其内部滚动的圆一样大，无法滚动。",
+        "使圆的半径与圆盘半径不同；不写 inside 时圆盘在圆的外侧滚动。",
+    ),
+    "gears.rack-distance": (
+        "齿条不匹配：节线到小齿轮中心的距离为 {distance}，而节圆半径为 {radius}。",
+        "修改半径（齿数、模数），或直线、导轨和中心的点。给出模数时，变位引起的距离变化最多为一个模数。",
+    ),
+}
