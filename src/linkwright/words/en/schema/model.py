@@ -216,6 +216,9 @@ TEXTS: dict[str, str] = {
     "schema.RmsEntry.rms": "root mean square over time of this signal expression",
     "schema.PathEntry.path": "length of this point's path",
     "schema.StraightnessEntry.straightness": "distance of the two closest parallel lines that enclose this point's path",
+    "schema.EfficiencyEntry.efficiency": "loads that do the useful work: their work over the energy given; where they drive the mechanism, the energy that the drives get back over their work",
+    "schema.ShareEntry.share": "loads, springs or friction: their share of the energy given; with useful",
+    "schema.ShareEntry.useful": "loads that do the useful work",
     "schema.ValueEntry.value": "value of this signal expression at one instant; with where",
     "schema.ValueEntry.where": "instant of a value: 'max E.x', 'min E.x', 'motor.angle = 24 deg', 'start' or 'end'",
 }

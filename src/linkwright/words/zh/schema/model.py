@@ -216,6 +216,9 @@ TEXTS: dict[str, str] = {
     "schema.RmsEntry.rms": "该信号表达式对时间的均方根",
     "schema.PathEntry.path": "该点轨迹的长度",
     "schema.StraightnessEntry.straightness": "包容该点轨迹的两条最近平行线的距离",
+    "schema.EfficiencyEntry.efficiency": "做有用功的载荷：其功与输入能量之比；若载荷反过来驱动机构，则为驱动回收的能量与载荷所做功之比",
+    "schema.ShareEntry.share": "要求其占输入能量比例的载荷、弹簧或摩擦；与 useful 一起给出",
+    "schema.ShareEntry.useful": "做有用功的载荷",
     "schema.ValueEntry.value": "该信号表达式在某一时刻的数值；与 where 一起给出",
     "schema.ValueEntry.where": "取值的时刻：“max E.x”、“min E.x”、“motor.angle = 24 deg”、“start”或“end”",
 }
