@@ -61,6 +61,7 @@ class FrictionSystem:
     laws: list[Resistance]
     loads: list[list[tuple[Scalar, ...]]]
     slopes: list[list[list[tuple[Scalar, ...]]]]  # by effort, then by unit of an effort, as the loads
+    drives: dict[str, Scalar]  # the drives' efforts with no effort of friction
     efforts: dict[str, Scalar] = field(default_factory=dict)
 
     @classmethod
@@ -75,6 +76,7 @@ class FrictionSystem:
             [one.law for one in resisting],
             [seats(one, base) for one in resisting],
             [[seats(one, forces) for forces in alone] for one in resisting],
+            base.efforts,
         )
 
     def solved(self) -> list[Scalar]:

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 
 from linkwright.graph.actions import wrenches
 from linkwright.graph.forces import own_wrench
-from linkwright.graph.power import power_of_wrench
-from linkwright.graph.rows import Row
+from linkwright.graph.power import power_of_wrench, supplied
+from linkwright.graph.rows import ElementActionRow, Row
 from linkwright.notation import Scalar
 from linkwright.notation.jets import call
 from linkwright.structure import FRAME
@@ -35,6 +35,19 @@ class PowerRow(Row):
     def expression(self, view: View) -> Scalar:
         terms = powers(view)
         return sum((call("abs", term) for term in terms) if self.size else terms, 0.0)
+
+
+@dataclass(frozen=True)
+class ElementPower(ElementActionRow):
+    """The power (W) that an element supplies to its links."""
+
+    called = "power/{section}/{name}"
+
+    def order(self, graph: Graph) -> int:
+        return graph.actions.forces
+
+    def expression(self, view: View) -> Scalar:
+        return supplied(view, view.graph.actions.at[self.section, self.name])
 
 
 def powers(view: View) -> list[Scalar]:

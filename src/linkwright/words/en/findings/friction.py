@@ -56,4 +56,20 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "friction has grown beyond any effort of the drives.",
         "Reduce the coefficients or radii, use a longer guide, or avoid this part of the motion.",
     ),
+    "friction.jams-meeting": (
+        "At t = {time} s ({drive} = {value} {unit}) the mechanism jams: at {share} of the friction coefficients two possible "
+        "equilibria meet, and beyond there is none in which it moves in this way.",
+        "Reduce the coefficients or radii, use a longer guide, or avoid this part of the motion.",
+    ),
+    "friction.several": (
+        "From t = {time} s ({drive} = {value} {unit}) on, in {share} % of the motion, the friction forces aren't unique: other "
+        "forces, such as those of a wedged mechanism, obey the same laws. Reported are those to which friction grows from zero.",
+        "Reduce the coefficients or radii, or use a longer guide, if the mechanism might wedge.",
+    ),
+    "friction.self-locking": (
+        "The mechanism is self-locking from t = {start} s to t = {stop} s ({drive} = {low} to {high} {unit}): the loads would "
+        "drive it against {name}, but friction holds it, so that {name} has to push. Such intervals: {count}, together "
+        "{share} % of the run.",
+        "No change is needed if it is to hold without a brake; otherwise reduce the coefficients or radii.",
+    ),
 }

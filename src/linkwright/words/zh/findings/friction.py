@@ -1,4 +1,4 @@
-"""Problems of springs."""
+"""Problems of friction."""
 
 PROBLEMS: dict[str, tuple[str, str]] = {
     "friction.place": (
@@ -52,5 +52,19 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     "friction.jams": (
         "在 t = {time} s（{drive} = {value} {unit}）机构卡死：摩擦系数达到给定值的 {share} 时，摩擦已超过驱动的任何作用力。",
         "减小摩擦系数或半径，加长导轨，或避开这段运动。",
+    ),
+    "friction.jams-meeting": (
+        "在 t = {time} s（{drive} = {value} {unit}）机构卡死：摩擦系数达到给定值的 {share} 时，两种可能的平衡状态重合，此后不存在使机构按此运动的平衡状态。",
+        "减小摩擦系数或半径，加长导轨，或避开这段运动。",
+    ),
+    "friction.several": (
+        "从 t = {time} s（{drive} = {value} {unit}）起，在 {share} % 的运动中摩擦力不唯一：其他的力（例如机构楔紧时的力）也满足同样的规律。"
+        "给出的是摩擦从零逐渐增大时所达到的力。",
+        "若机构可能楔紧，应减小摩擦系数或半径，或加长导轨。",
+    ),
+    "friction.self-locking": (
+        "从 t = {start} s 到 t = {stop} s（{drive} = {low} 至 {high} {unit}）机构自锁：载荷本会反过来驱动 {name}，但被摩擦阻止，"
+        "因此 {name} 必须推动机构。此类区间共 {count} 个，合计占运行时间的 {share} %。",
+        "若要求机构不用制动器即能保持，则无需修改；否则减小摩擦系数或半径。",
     ),
 }
