@@ -69,7 +69,7 @@ class FrictionSystem:
         """The system from the forces without any effort, and those of a unit of each alone."""
 
         def seats(one: Resisting, forces: Forces) -> list[tuple[Scalar, ...]]:
-            return [*one.seats(lambda joint, link: forces.reactions[joint, link])]
+            return [*one.seats(forces.reaction)]
 
         return cls(
             [one.name for one in resisting],

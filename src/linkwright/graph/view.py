@@ -11,6 +11,7 @@ import casadi as ca
 
 from linkwright.elements.entries import NOUNS
 from linkwright.elements.follower import UnitEffort
+from linkwright.elements.touch import Touch
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, signal_text
 from linkwright.expressions.units import Dimension
@@ -137,7 +138,14 @@ class View:
 
     def reaction(self, joint: str, link: str) -> Wrench:
         """The wrench of a link on a joint."""
-        return self.forces.reactions[joint, link]
+        return self.forces.reaction(joint, link)
+
+    def touch(self, joint: str) -> Touch:
+        """Where the links of a contact touch."""
+        follower = self.graph.actions.followers.get(joint)
+        if follower is not None:
+            return follower.touch(joint, self.motion, self.contacts[joint])
+        return self.graph.structure.topology.kind_of(joint).touch(self.geometry, joint, self.bodies)
 
     def effort(self, name: str) -> Scalar:
         """The effort of what follows from reactions."""

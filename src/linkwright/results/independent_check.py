@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from linkwright.elements.force import Misfit
 from linkwright.elements.joint import Applied
+from linkwright.elements.touch import ReportedTouch
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.units import Dimension
 from linkwright.graph.geometry import Geometry
@@ -187,6 +188,13 @@ class Reports:
         """The reported force of a contact's link on the other side, and its moment; 0 where none is reported."""
         force = np.array([self.rows[self.force_name(contact, axis)] for axis in "xy"])
         return force, self.rows.get(self.force_name(contact, "moment"), 0.0)
+
+    def touch(self, joint: str) -> ReportedTouch:
+        """Where the links of a contact touch, and the force there."""
+        follower = self.mechanism.followers.get(joint)
+        if follower is not None:
+            return follower.reported_touch(self, joint)
+        return self.topology.kind_of(joint).reported_touch(self, joint)
 
     def joint_of(self, mover: str) -> str:
         """The joint at which a drive or follower moves its link."""

@@ -14,6 +14,9 @@ from linkwright.studies.load_checks import NEAR, finding_at, telling_times
 
 Array = NDArray[np.float64]
 
+NO_FORCE = 1e-100
+"""Efforts (N, N m) below this are none: where nothing presses, the smoothed size of forces leaves some 1e-150."""
+
 
 def jammed(run: Run) -> list[Finding]:
     """Where friction jams the mechanism soonest as its coefficients grow, where it gives power, as its coefficient is
@@ -29,7 +32,7 @@ def jammed(run: Run) -> list[Finding]:
         code = "friction.jams-meeting" if meets(of.at(worst)) else "friction.jams"
         return [finding_at(run, code, resisting[0].path, float(t[worst]), share=f"{share[worst]:.3g}")]
     own = run.compiled.evaluate([f"{one.name}.{one.kind.effort(one.entry)}" for one in resisting], t)
-    away = np.abs(own - efforts).max(axis=0) / np.maximum(np.abs(efforts).max(axis=0), 1e-300)
+    away = np.abs(own - efforts).max(axis=0) / np.maximum(np.abs(efforts).max(axis=0), NO_FORCE)
     late = int(np.argmax(np.nan_to_num(away, nan=np.inf)))
     if not away[late] <= NEAR:
         return [finding_at(run, "friction.unsolved", resisting[0].path, float(t[late]))]

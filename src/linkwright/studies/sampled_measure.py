@@ -62,6 +62,7 @@ class Taken:
         bunch.watch(measuring.watched)
         self.windows = Windows(bunch, measuring.jumping)
         self.sides = sides(bunch, measuring.joins, self.windows.gaps)
+        self.means: dict[tuple[Node, BoundWindow | None, int, int], tuple[Array, Array]] = {}
 
     def evaluate_all(self) -> Many:
         """All of them."""
@@ -205,9 +206,12 @@ class SampledMeasure:
     def _means(self, key: str) -> tuple[Array, Array]:
         plan, bunch, tree, power = self.taken.measuring, self.taken.bunch, self.asked.trees[key], self.asked.kind.power
         assert power is not None
-        panels, places = plan.panels[self.asked.name], corners(bunch, tree, plan.kinks)
-        values, size = mean(bunch, tree, self._window, power, panels, places)
-        half, _ = mean(bunch, tree, self._window, power, panels // 2, places)
+        panels, known = plan.panels[self.asked.name], self.taken.means
+        for count in (panels, panels // 2):  # measures that compare works share most of theirs
+            if (key_of := (tree, self.asked.window, power, count)) not in known:
+                known[key_of] = mean(bunch, tree, self._window, power, count, corners(bunch, tree, plan.kinks))
+        values, size = known[tree, self.asked.window, power, panels]
+        half, _ = known[tree, self.asked.window, power, panels // 2]
         with np.errstate(invalid="ignore"):
             coarse = ~(np.abs(values - half) <= SETTLED * size)
         self.taken.coarse[self.asked.name] = coarse | self.taken.coarse.get(self.asked.name, False)

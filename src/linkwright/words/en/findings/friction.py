@@ -3,11 +3,12 @@
 PROBLEMS: dict[str, tuple[str, str]] = {
     "friction.place": (
         "It isn't clear where the friction is.",
-        "Give pin (the name of a pin) or slide (the name of a prismatic joint), one of them.",
+        "Give exactly one of pin (the name of a pin), slide (the name of a prismatic joint) and contact (that of a cam or of a "
+        "pin in a slot).",
     ),
     "friction.stray": (
         "These keys aren't allowed in friction of this kind: {keys}.",
-        "Remove them: a pin has radius and, if needed, in; a slide has length.",
+        "Remove them: a pin has radius and, if needed, in; a slide has length; a contact has radius if it has a roller.",
     ),
     "friction.law": (
         "The friction has no law.",
@@ -38,6 +39,14 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "Friction can't be computed together with {name}, whose follower has contact on two sides.",
         "Remove the friction, or give the follower one contact.",
     ),
+    "friction.roller": (
+        "The contact {name} has a roller, which rubs at its pin, so the friction needs the radius of that pin.",
+        "Add radius, that of the roller's pin.",
+    ),
+    "friction.no-roller": (
+        "The contact {name} has no roller, so its friction has no radius.",
+        "Remove radius.",
+    ),
     "friction.gives": (
         "At t = {time} s ({drive} = {value} {unit}) the coefficient of friction is negative: the friction would drive.",
         "Write it as a function of the magnitude of the speed, such as abs(NAME.omega), that stays above zero.",
@@ -58,7 +67,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "friction.jams-meeting": (
         "At t = {time} s ({drive} = {value} {unit}) the mechanism jams: at {share} of the friction coefficients two possible "
-        "equilibria meet, and beyond there is none in which it moves in this way.",
+        "equilibria meet, and beyond there is none in which it moves as prescribed.",
         "Reduce the coefficients or radii, use a longer guide, or avoid this part of the motion.",
     ),
     "friction.several": (

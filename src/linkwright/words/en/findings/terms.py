@@ -126,6 +126,7 @@ TERMS: dict[str, str] = {
     # Kinds of names.
     "a-link": "a link",
     "a-powered": "a drive, load, spring or friction",
+    "a-touching": "a pin in a slot or a cam",
     "a-acting": "a load, spring or friction",
     "a-point": "a point",
     "a-joint": "a joint",

@@ -3,11 +3,11 @@
 PROBLEMS: dict[str, tuple[str, str]] = {
     "friction.place": (
         "摩擦的位置不明确。",
-        "给出 pin（转动副名称）或 slide（移动副名称），二者之一。",
+        "给出 pin（转动副名称）、slide（移动副名称）或 contact（凸轮或槽中销的名称），只给出其中一个。",
     ),
     "friction.stray": (
         "此类摩擦不允许使用这些键：{keys}。",
-        "将其删除：转动副使用 radius，需要时加 in；移动副使用 length。",
+        "将其删除：转动副使用 radius，需要时加 in；移动副使用 length；接触仅在有滚子时使用 radius。",
     ),
     "friction.law": (
         "没有给出摩擦的规律。",
@@ -36,6 +36,14 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     "friction.second-contact": (
         "摩擦无法与 {name} 一起计算：其从动件在两侧接触。",
         "去掉摩擦，或使从动件只在一侧接触。",
+    ),
+    "friction.roller": (
+        "接触 {name} 有滚子，摩擦发生在滚子的销轴上，因此需要该销轴的半径。",
+        "加上 radius，即滚子销轴的半径。",
+    ),
+    "friction.no-roller": (
+        "接触 {name} 没有滚子，其摩擦没有半径。",
+        "删除 radius。",
     ),
     "friction.gives": (
         "在 t = {time} s（{drive} = {value} {unit}）摩擦系数为负：摩擦将成为驱动。",

@@ -126,6 +126,7 @@ TERMS: dict[str, str] = {
     # Kinds of names.
     "a-link": "构件",
     "a-powered": "驱动、载荷、弹簧或摩擦",
+    "a-touching": "槽中的销或凸轮",
     "a-acting": "载荷、弹簧或摩擦",
     "a-point": "点",
     "a-joint": "运动副",
