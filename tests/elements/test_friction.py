@@ -113,22 +113,49 @@ def test_a_stribeck_curve_as_a_table() -> None:
 
 NASTY: list[Any] = [
     None, "", "A", "guide", -1, 0, 1e300, "nan", "1/0", [], ["crank"], {}, True, "own.moment", "10 deg", "stribeck(t)",
-    "bearing_A.moment", ["frame", "crank"],
+    "bearing_A.moment", ["frame", "crank"], "power(work).supplied", ["work"], ["rail", "nothing"], "slot", 1e-300, 0.05,
+    "0.02 + 0.01*t/(1 s)", "10 mm", 3, "3", "out", "%",
 ]  # fmt: skip
+KEYS = ["pin", "slide", "contact", "in", "radius", "length", "coefficient", "viscous", "kind", "static"]
+IN_MEASURES = ["efficiency", "share", "useful", "window", "unit", "mean", "max", "wrap"]
 
 
-@pytest.mark.parametrize("seed", range(60))
-def test_mutated_files_are_refused_or_run(seed: int) -> None:
-    """A key or a value changed at random: no error but those that have words."""
-    pick, data = random.Random(seed), copy.deepcopy(EXAMPLE)
-    entry = data["friction"][pick.choice(sorted(data["friction"]))]
-    key = pick.choice(["pin", "slide", "in", "radius", "length", "coefficient", "viscous", "kind"])
-    if pick.random() < 0.3:
-        entry.pop(pick.choice(sorted(entry)))
-    entry[key] = pick.choice(NASTY)
-    try:
-        compiled = compile_mechanism(parse_document(data))
-    except ModelError as error:
-        assert error.findings
-        return
-    compiled.evaluate(["motor.torque"], np.linspace(0.0, 0.5, 5))
+def slotted() -> dict[str, Any]:
+    """A lever with a pin in its slot, which rubs."""
+    data: dict[str, Any] = YAML(typ="safe").load(
+        (Path(__file__).parents[2] / "examples" / "slotted_lever.yaml").read_text("utf-8")
+    )
+    data["friction"] = {"rub": {"contact": "slot", "coefficient": 0.1}}
+    data["loads"] = data.get("loads", {}) | {"work": {"on": "frame", "torque": 1}}
+    data["measures"] = {"eta": {"efficiency": ["work"]}, "part": {"share": ["rub"], "useful": ["work"]}}
+    data |= {"require": {}, "exports": {}, "studies": {}}
+    return data
+
+
+BASES = [EXAMPLE, slotted()]
+
+
+@pytest.mark.parametrize("seeds", [range(300), pytest.param(range(300, 2000), marks=pytest.mark.long)], ids=str)
+def test_mutated_files_are_refused_or_run(seeds: range) -> None:
+    """Keys or values of friction and of measures changed at random: no error but those that have words."""
+    outcomes = {"refused": 0, "run": 0}
+    for seed in seeds:
+        pick = random.Random(seed)
+        data = copy.deepcopy(BASES[seed % 2])
+        for _ in range(pick.choice([1, 1, 2])):
+            section, keys = pick.choice([("friction", KEYS), ("friction", KEYS), ("measures", IN_MEASURES)])
+            entry = data[section][pick.choice(sorted(data[section]))]
+            if entry and pick.random() < 0.3:
+                entry.pop(pick.choice(sorted(entry)))
+            entry[pick.choice(keys)] = pick.choice(NASTY)
+        try:
+            compiled = compile_mechanism(parse_document(data))
+        except ModelError as error:
+            assert error.findings
+            assert all(finding.what and finding.mend for finding in error.findings)
+            outcomes["refused"] += 1
+            continue
+        if seed % 5 == 0:
+            compiled.evaluate(["motor.torque"], np.linspace(0.0, 0.5, 5))
+        outcomes["run"] += 1
+    assert min(outcomes.values()) > 0.02 * len(seeds)  # both happen

@@ -15,6 +15,7 @@ from linkwright.measures import Measurer, enclose, misfit
 from linkwright.measures.places import _to_nearest
 from linkwright.measures.probe import Probe
 from linkwright.reductions import Peak, ProofKind
+from linkwright.reductions.efficiency import Efficiency
 from linkwright.reductions.mean import Mean, Rms
 from studies.models import TURN, UNITS, cycle_of, four_bar, job_of, measured, slider_crank, value
 
@@ -221,6 +222,7 @@ FAULTS = {
     "top": (Probe, "top", lambda p: Peak(p.bottom().value, 0.0, "")),
     "a little low": (Probe, "top", lambda p: Peak(sorted(p.peaks)[-1].value * (1 - 1e-3), 0.0, "")),
     "mean": (Mean, "run_figures", lambda kind, run: (run.graded_figure("", 1.001 * run.mean()),)),
+    "efficiency": (Efficiency, "run_figures", lambda kind, run: (run.graded_figure("", 1.0),)),
     "rms": (Rms, "run_figures", lambda kind, run: (run.graded_figure("", 10 * run.top().value),)),
 }
 
@@ -228,7 +230,12 @@ FAULTS = {
 @pytest.mark.parametrize("fault", FAULTS)
 def test_planted_faults_are_caught_by_the_check(fault: str, monkeypatch: pytest.MonkeyPatch) -> None:
     owner, name, wrong = FAULTS[fault]
-    data = slider_crank(measures={"a": {"max": "B.x"}, "b": {"mean": "B.x + 60 mm"}, "c": {"rms": "B.x"}})
+    measures = {"a": {"max": "B.x"}, "b": {"mean": "B.x + 60 mm"}, "c": {"rms": "B.x"}, "d": {"efficiency": ["press"]}}
+    loads = {
+        "press": {"on": "slider", "at": "C", "force": ["-5 N*C.vx/(1 m/s)", 0]},
+        "brake": {"on": "rod", "torque": "-0.01 N*m*rod.omega/(1 rad/s)"},
+    }
+    data = slider_crank(measures=measures, loads=loads)
     run = cycle_of(data).result.run
     measurer = Measurer(run)
     assert misfit(measurer, measurer.all()) < 1e-12

@@ -31,6 +31,20 @@ SIGNAL, BAND = "C.vx + 2*B.y/(1 s)", 0.03
 """What is reduced, and the width of a dwell's band (m)."""
 
 
+PRESS, OIL = {"on": "slider", "at": "C", "force": ["-30 N - 40 N*C.vx/(1 m/s)", 0]}, 5.0
+"""A load that does useful work, and a damper (N s/m) that takes the rest."""
+
+
+def given_power(of: Callable[[str], Array], t: Array) -> float:
+    """The drive's work less the energy stored (J)."""
+    energy = of("energy.kinetic")
+    return float(np.trapezoid(of("motor.power"), t) - energy[-1] + energy[0])
+
+
+def useful(of: Callable[[str], Array], t: Array) -> float:
+    return float(np.trapezoid((30 + 40 * of("C.vx")) * of("C.vx"), t))
+
+
 def longest(t: Array, y: Array) -> float:
     """The longest stretch of samples that vary by no more than the band."""
     best, first = 0.0, 0
@@ -57,6 +71,11 @@ CASES: dict[str, tuple[dict[str, Any], Sampled]] = {
     "value": ({"value": "B.x", "where": f"max {SIGNAL}"}, lambda t, of: [of("B.x")[of(SIGNAL).argmax()]]),
     "path": ({"path": "B"}, lambda t, of: [np.trapezoid(np.hypot(of("B.vx"), of("B.vy")), t)]),
     "straightness": ({"straightness": "B"}, lambda t, of: [narrowest(of("B.x"), of("B.y"))]),
+    "efficiency": ({"efficiency": ["press"]}, lambda t, of: [useful(of, t) / given_power(of, t)]),
+    "share": (
+        {"share": ["oil"], "useful": ["press"]},
+        lambda t, of: [np.trapezoid(OIL * of("C.vx") ** 2, t) / given_power(of, t)],
+    ),
     "dwell": ({"dwell": "C.x", "within": f"{BAND} m"}, lambda t, of: [longest(t, of("C.x"))]),
 }
 """Of each a measure, and its figures (SI) from times and signals at them."""
@@ -69,7 +88,11 @@ NAMES = ["r", "l", "e"]
 
 def model(sizes: Any) -> Compiled:
     """A slider crank with these dimensions (mm)."""
-    return compiled_from(slider_crank(*sizes, measures=MEASURES, windows={"part": ["0.1 s", "0.85 s"]}))
+    acting: dict[str, Any] = {
+        "loads": {"press": PRESS},
+        "springs": {"oil": {"from": "F", "to": "C", "damping": f"{OIL} N*s/m"}},
+    }
+    return compiled_from(slider_crank(*sizes, measures=MEASURES, windows={"part": ["0.1 s", "0.85 s"]}, **acting))
 
 
 def run_of(compiled: Compiled) -> Run:

@@ -187,9 +187,13 @@ def test_every_reduction() -> None:
     measures: dict[str, dict[str, Any]] = {kind: {kind: "P.y"} for kind in REDUCTIONS}
     measures["value"] |= {"where": "min P.x"}
     measures["dwell"] |= {"within": "5 mm"}
+    measures |= {"efficiency": {"efficiency": ["drag"]}, "share": {"share": ["oil"], "useful": ["drag"]}}
     measures |= {"path": {"path": "P"}, "straightness": {"straightness": "P"}}
     named = {f"{kind}_": measure for kind, measure in measures.items()}
-    some = batch(four_bar(measures=named), a=[0.04, 0.042], b=[0.12, 0.118])
+    drag = {"on": "coupler", "at": "P", "force": ["-20 N*P.vx/(1 m/s)", "-20 N*P.vy/(1 m/s)"]}
+    oil = {"turns": "rocker", "on": "frame", "damping": "0.1 N*m*s/rad"}
+    data = four_bar(measures=named, loads={"drag": drag}, springs={"oil": oil})
+    some = batch(data, a=[0.04, 0.042], b=[0.12, 0.118])
     assert some.measuring.single == {"straightness_", "dwell_"}
     some.check()
 

@@ -91,8 +91,8 @@ def test_mean_over_a_window() -> None:
 
 
 def test_a_test_covers_each_reduction() -> None:
-    """Those of a path and dwells have their own files, test_paths.py and test_dwells.py."""
-    others = {"span", "max", "min", "extremes", "mean", "rms", "path", "straightness", "dwell"}
+    """Those of a path, dwells and efficiencies have files of their own in tests/reductions."""
+    others = {"span", "max", "min", "extremes", "mean", "rms", "path", "straightness", "dwell", "efficiency", "share"}
     assert {*REDUCTIONS} == {*others, "value"}
 
 

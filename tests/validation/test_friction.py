@@ -11,11 +11,13 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 import linkwright as lw
 from helpers.compiled import compiled_from
 from helpers.friction import SIZES, slider_crank
-from linkwright.results.jamming import followed, laws
+from linkwright.results.jamming import Laws, followed, laws, meets, several
+from linkwright.results.self_locking import locked_stretches
 
 CRANK, ROD, OMEGA, START = 0.05, 0.16, 10 * math.pi, 0.3
 
@@ -110,3 +112,75 @@ def test_a_mechanism_that_jams_is_told() -> None:
     job = lw.run(lw.Document.model_validate(data))
     assert job.cycle is not None
     assert [finding.code for finding in job.cycle.failures] == ["friction.jams"]
+
+
+def notes(data: dict[str, Any]) -> list[Any]:
+    """What a cycle of 200 ms says of friction."""
+    job = lw.run(lw.Document.model_validate(data | {"studies": {"cycle": {"duration": "0.2 s", "samples": 60}}}))
+    assert job.cycle is not None
+    assert not job.cycle.failures
+    return [finding for finding in job.cycle.warnings if finding.code.startswith("friction.")]
+
+
+@pytest.mark.parametrize("mu", [0.05, 0.15])
+def test_self_locking_of_a_slider_crank(mu: float) -> None:
+    """Between the dead centre and the pose in which the rod's line of force touches the circle about A the load drives
+    the crank, and yet the drive has to push: before and behind both dead centres, on the side of the driving stroke."""
+    data = slider_crank(mu, None, push=1000.0)
+    run = lw.run(lw.Document.model_validate(data | {"studies": {"cycle": {"duration": "0.2 s", "samples": 60}}}))
+    found = locked_stretches(run.cycle.result.run, "motor")
+    zones = []
+    for dead in (math.pi, 2 * math.pi):
+        at = (dead - START) / OMEGA
+        sign = 1 if dead < 4 else -1  # it drives from pi to 2 pi
+        edge = brentq(lambda t: by_friction_circles(t, mu, 1000.0), at + sign * 1e-4, at + sign * 0.02)
+        zones.append(sorted((at, edge)))
+    assert found == [pytest.approx(zone, abs=1e-9) for zone in zones]
+    (note,) = notes(data)
+    assert (note.code, note.severity, note.data["count"]) == ("friction.self-locking", "note", 2)
+
+
+@pytest.mark.parametrize(("angle", "mu", "up"), [(0.1, 0.3, False), (0.1, 0.3, True), (0.25, 0.1, False)])
+def test_self_locking_of_a_slope(angle: float, mu: float, up: bool) -> None:
+    """Down a slope below the angle of friction alone, all along."""
+    found = notes(slope(angle, mu, up))
+    assert [note.code for note in found] == (["friction.self-locking"] if not up and math.tan(angle) < mu else [])
+    assert all(note.data["share"] == "100" for note in found)
+
+
+@pytest.mark.parametrize("mu", [0.1, 0.5])
+def test_a_drawer_has_one_force_or_two(mu: float) -> None:
+    """Where the force pulls the drawer ahead, its friction is k |force - friction|: force k/(1 + k), and above k = 1
+    also force k/(k - 1), that of a wedged drawer which the rod pushes ahead."""
+    t = np.array([0.13])
+    phi = math.asin((ARM - CRANK * math.sin(START + OMEGA * t[0])) / ROD)
+    k = mu * max(abs(math.tan(phi)), 2 * ARM / GUIDE)
+    data = drawer(mu)
+    data["loads"]["resistance"]["force"] = 1000.0
+    compiled = compiled_from(data)
+    speed, effort = compiled.evaluate(["guide.v", "rail.force"], t)[:, 0]
+    assert speed > 0
+    assert effort == pytest.approx(-1000 * k / (1 + k), rel=1e-12)
+    of = laws(compiled, t)
+    assert several(of, followed(of)[1]).tolist() == [k > 1]
+    if k > 1:
+        wedged = np.array([[-1000 * k / (k - 1)]])
+        assert np.abs(of.linear(wedged, 1.0)[0]).max() < 1e-9
+        data["drives"]["motor"]["start"] = START + OMEGA * 0.125
+        job = lw.run(lw.Document.model_validate(data | {"studies": {"cycle": {"duration": "0.01 s", "samples": 20}}}))
+        assert job.cycle is not None
+        assert "friction.several" in [one.code for one in job.cycle.warnings]
+
+
+def test_two_ways_to_jam() -> None:
+    """One law m = c |f + b m|: with f along b the effort grows to infinity at c |b| = 1; with f against b, and not
+    quite in its line, the line m/c touches the hyperbola |f + b m| at a finite effort."""
+    b, grows, meets_ = np.array([[[1.0], [0.0]]]), np.array([[1.0], [0.5]]), np.array([[-1.0], [0.5]])
+    for f, expected in ((grows, False), (meets_, True)):
+        of = Laws(np.array([[3.0]]), np.zeros((1, 1)), [[(f, b)]])
+        share = followed(of)[0][0]
+        assert np.isfinite(share)
+        # Touching: (1/c^2 - 1) m^2 - 2 (b f) m - |f|^2 has a double root.
+        critical = 1.0 if not expected else math.sqrt(1 / (1 - 1 / (1 + 0.25)))
+        assert critical / 3 <= share <= critical / 3 + 1 / 64
+        assert meets(of) is expected

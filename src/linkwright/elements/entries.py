@@ -70,6 +70,11 @@ class JointEntry(Frozen):
         raise NotImplementedError
 
     @property
+    def touching(self) -> tuple[str, str] | None:
+        """The links that slide past each other at one place, if they do (:meth:`JointKind.touch`)."""
+        return None
+
+    @property
     def limits(self) -> tuple[Expression, Expression] | None:
         """The lowest and the highest value of ``NAME.s`` that it allows."""
         return None

@@ -18,6 +18,7 @@ from linkwright.elements.entries import JointEntry, make_known
 from linkwright.elements.force import SignalChart
 from linkwright.elements.joint import Applied, Array, JointGeometry, LinkPoses
 from linkwright.elements.mover import TRAVEL, TURN, MoverReports, MoverSignals
+from linkwright.elements.touch import ReportedTouch, Touch
 from linkwright.expressions import units as u
 from linkwright.expressions.language import Call, Node
 from linkwright.expressions.typed_fields import Path
@@ -188,6 +189,25 @@ class Follower(MoverSignals, ABC):
         """Its forces that have one sign only, as :attr:`JointEntry.one_sided` has them; what its entry says."""
         found: Mapping[str, int] = self.entry.one_sided
         return found
+
+    @property
+    def touching(self) -> tuple[str, str] | None:
+        """The links that slide past each other in its contact, if that is known (:meth:`touch`): the one that follows,
+        and the other."""
+        return None
+
+    @property
+    def roller(self) -> Any:
+        """The radius of the roller that rolls in its contact, as its entry states it; ``None`` where links slide."""
+        return None
+
+    def touch(self, name: str, poses: PoseQuery, acting: UnitEffort) -> Touch:
+        """Where its links touch; ``acting`` is what its effort does."""
+        raise NotImplementedError
+
+    def reported_touch(self, reports: FollowerReports, name: str) -> ReportedTouch:
+        """The same from reported numbers: a part of the proof."""
+        raise NotImplementedError
 
     @property
     def pressures(self) -> Sequence[str]:

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from linkwright.elements.entries import NOUNS, ForceEntry, make_known
 from linkwright.elements.joint import Applied, LinkPoses
 from linkwright.elements.mover import MoverReports
+from linkwright.elements.touch import ReportedTouch, Touch
 from linkwright.expressions.dimensions import Wanted
 from linkwright.expressions.fields import Expression, Position, Two
 from linkwright.expressions.language import Node
@@ -119,6 +120,9 @@ class ForceContext(LinkPoses, Protocol):
     def reaction(self, joint: str, link: str) -> Wrench:
         """The wrench of a link on a joint."""
 
+    def touch(self, joint: str) -> Touch:
+        """Where the links of a contact touch."""
+
     def effort(self, name: str) -> Scalar:
         """The effort of an element that ``resists``, solved together with the reactions."""
 
@@ -137,6 +141,9 @@ class ForceReports(MoverReports, Protocol):
 
     def reaction(self, contact: Any) -> tuple[Array, Array | float]:
         """The reported force (N) of a contact's link on the other side, and its moment (N m)."""
+
+    def touch(self, joint: str) -> ReportedTouch:
+        """Where the links of a contact touch, and the force there."""
 
     def omega(self, link: str) -> Array:
         """A link's angular velocity (rad/s)."""

@@ -1,4 +1,4 @@
-"""Friction in pins and slides: Coulomb's, of a coefficient that may follow the motion, and viscous.
+"""Friction in pins, slides and contacts: Coulomb's, of a coefficient that may follow the motion, and viscous.
 
 Coulomb's friction follows from the reaction that it helps to make. Its size is the coefficient times the sum of the
 forces with which the joint's seats press: a pin has one, which presses with the whole reaction and at the pin's radius
@@ -11,7 +11,7 @@ A moment or force is positive where it drives the first link with the motion to 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Annotated, Any, ClassVar, NamedTuple
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 from pydantic import Field
@@ -33,6 +33,7 @@ from linkwright.elements.force import (
 )
 from linkwright.elements.joint import Applied
 from linkwright.elements.pins import pins
+from linkwright.elements.touch import Reacting
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Name
 from linkwright.expressions.language import FUNCTIONS, Call, is_signal, nodes
@@ -44,7 +45,10 @@ from linkwright.findings import Finding, Joined, Term
 from linkwright.notation import Pair, Scalar, Wrench
 from linkwright.notation.jets import call
 
-_OF_PIN, _OF_SLIDE = ("in", "radius"), ("length",)
+_PLACES = {"pin": ("in", "radius"), "slide": ("length",), "contact": ("radius",)}
+"""Where there may be friction, and the keys that go with it."""
+_SIZES = {"pin": "radius", "slide": "length"}
+"""The size without which a coefficient means nothing."""
 
 
 def _sign_of_coefficient(context: Context) -> Sign:
@@ -59,12 +63,13 @@ _COEFFICIENT = Quantity(u.PURE, _sign_of_coefficient, scope=Scope.LOAD)
 
 
 class Friction(ForceEntry):
-    """Friction in a pin or slide: Coulomb's with a coefficient, viscous, or both."""
+    """Friction in a pin, slide or contact: Coulomb's with a coefficient, viscous, or both."""
 
     kind: ClassVar[str] = "friction"
 
     pin: Annotated[Name | None, Ref("pin")] = None
     slide: Annotated[Name | None, Ref("slide")] = None
+    contact: Annotated[Name | None, Ref("touching")] = None
     in_: TwoLinks | None = Field(None, alias="in")
     radius: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = None
     length: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = None
@@ -76,15 +81,17 @@ class Friction(ForceEntry):
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
-        if ("pin" in given) == ("slide" in given):
+        places = [place for place in _PLACES if place in given]
+        if len(places) != 1:
             yield "friction.place", {}
             return
-        others, size = (_OF_SLIDE, "radius") if "pin" in given else (_OF_PIN, "length")
+        others = {key: None for keys in _PLACES.values() for key in keys if key not in _PLACES[places[0]]}
         if strays := [key for key in others if key in given]:
             yield "friction.stray", {"keys": Joined(strays)}
         if "coefficient" not in given and "viscous" not in given:
             yield "friction.law", {}
-        if "coefficient" in given and size not in given:
+        size = _SIZES.get(places[0])
+        if "coefficient" in given and size is not None and size not in given:
             yield "friction.size", {"key": size}
 
     @property
@@ -104,27 +111,23 @@ class Friction(ForceEntry):
 
     @property
     def joint(self) -> str:
-        """The pin or slide."""
-        return str(self.pin or self.slide)
+        """The pin, slide or contact."""
+        return str(self.pin or self.slide or self.contact)
 
     def links(self, mechanism: Any) -> tuple[str, str]:
         """The link that moves and the one against which: of a pin the two of ``in``, else the last and the first
-        on it; of a slide the second and the first."""
+        on it; of a slide the second and the first; of a contact those that touch."""
         if self.in_ is not None:
             return self.in_
+        if self.contact is not None:
+            found = (mechanism.followers.get(self.contact) or mechanism.joints[self.contact]).touching
+            return str(found[0]), str(found[1])
         links = pins(mechanism)[self.joint].links if self.turns else mechanism.joints[self.joint].links
         return links[1], links[0]
 
 
-class _Contact(NamedTuple):
-    """Where a reaction acts."""
-
-    joint: str
-    link: str
-    on: str
-
-
 PIN_SIGNALS = {"omega": u.OMEGA, "moment": u.TORQUE, "power": u.POWER}
+CONTACT_SIGNALS = {"v": u.SPEED, "force": u.FORCE, "power": u.POWER}
 SLIDE_SIGNALS = {"v": u.SPEED, "force": u.FORCE, "ahead": u.FORCE, "behind": u.FORCE, "power": u.POWER}
 VAGUE = 1e-9
 """A speed below this share of the largest one has a sign that round-off may decide: there the report is believed."""
@@ -147,12 +150,20 @@ class Frictions(ForceKind[Friction]):
     )
 
     def signals(self, entry: Friction) -> Mapping[str, Dimension]:
+        if entry.contact is not None:
+            return CONTACT_SIGNALS
         return PIN_SIGNALS if entry.turns else SLIDE_SIGNALS
 
     def effort(self, entry: Friction) -> str:
         return entry.effort
 
     def faults(self, mechanism: Any, path: Path, entry: Friction) -> Iterator[Finding]:
+        if entry.contact is not None:
+            rolls = getattr(mechanism.followers.get(entry.contact), "roller", None) is not None
+            if entry.radius is not None and not rolls:
+                yield Finding("friction.no-roller", (*path, "radius"), {"name": entry.contact})
+            elif rolls and entry.radius is None and entry.coefficient is not None:
+                yield Finding("friction.roller", path, {"name": entry.contact})
         if entry.turns and entry.joint in (known := pins(mechanism)):
             links = known[entry.joint].links
             data = {"pin": entry.joint, "links": Joined(links)}
@@ -169,8 +180,10 @@ class Frictions(ForceKind[Friction]):
     def breaks(self, name: str, entry: Friction, bind: Any) -> Iterator[Break]:
         if entry.coefficient is not None:
             yield Break(Signal(f"{name}.{entry.rate}"), jumps=True)
-            for end in () if entry.turns else ("ahead", "behind"):
-                yield Break(Signal(f"{name}.{end}"), jumps=False)
+            forces = [f"{name}.{end}" for end in ("ahead", "behind") if entry.slide is not None]
+            forces += [f"{entry.contact}.force"] if entry.contact is not None else []
+            for force in forces:
+                yield Break(Signal(force), jumps=False)
 
     # What it does.
 
@@ -181,8 +194,8 @@ class Frictions(ForceKind[Friction]):
         speed = _speed(context, entry)
         factor: Scalar = 0.0
         if entry.coefficient is not None:
-            arm = _number(context, entry, "radius") if entry.turns else 1.0
-            factor = -call("sign", speed) * context.value(entry.coefficient, u.PURE) * arm
+            coefficient = context.value(entry.coefficient, u.PURE)
+            factor = -call("sign", speed) * coefficient * _arm(context.geometry, entry, coefficient)
         return Resistance(factor, 0.0 if entry.viscous is None else -_number(context, entry, "viscous") * speed)
 
     def seats(self, context: ForceContext, name: str, entry: Friction, reactions: Reactions) -> Seats:
@@ -190,6 +203,8 @@ class Frictions(ForceKind[Friction]):
         wrench = reactions(entry.joint, entry.links(mechanism)[0])
         if entry.turns:
             return [(wrench.force.x, wrench.force.y)]
+        if entry.contact is not None:
+            return [(context.touch(entry.contact).normal.dot(wrench.force),)]
         if entry.length is None:
             return []
         first = mechanism.joints[entry.joint].links[0]
@@ -202,6 +217,9 @@ class Frictions(ForceKind[Friction]):
         link, on = entry.links(geometry.mechanism)
         if entry.turns:
             unit = Wrench(Pair(0.0, 0.0), 1.0, bodies[on].point(geometry.pin_point(entry.joint, on)).now)
+        elif entry.contact is not None:
+            touch = context.touch(entry.contact)
+            unit = Wrench(touch.along, 0.0, touch.place)
         else:
             place = bodies[link].point(geometry.line(entry.joint, link)[0]).now
             unit = Wrench(bodies[on].direction(geometry.line(entry.joint, on)[1]).now, 0.0, place)
@@ -233,7 +251,7 @@ class Frictions(ForceKind[Friction]):
         if entry.turns:
             nothing = np.zeros((2, reports.count))
             return [(link, nothing, nothing, effort), (on, nothing, nothing, -effort)]
-        (place, _), (_, along) = reports.line(entry.joint, link), reports.line(entry.joint, on)
+        place, along = _reported_sliding(reports, entry)
         return [(link, effort * along, place, 0.0), (on, -effort * along, place, 0.0)]
 
     def misfits(self, reports: ForceReports, name: str, entry: Friction) -> list[Misfit]:
@@ -252,23 +270,48 @@ def _number(context: ForceContext, entry: Friction, key: str) -> Scalar:
     return context.geometry.number(getattr(entry, key), entry.dimension(key))
 
 
+def _arm(geometry: Any, entry: Friction, coefficient: Any) -> Any:
+    """By what the coefficient counts: the radius (m) of a pin. A roller is turned by the force T on its rim, against
+    the moment mu r sqrt(N^2 + T^2) of its pin: T = t N/sqrt(1 - t^2), with t = mu r over the roller's radius."""
+    if entry.radius is None:
+        return 1.0
+    radius = geometry.number(entry.radius, u.LENGTH)
+    if entry.contact is None:
+        return radius
+    share = radius / geometry.number(geometry.mechanism.followers[entry.contact].roller, u.LENGTH)
+    return share / call("sqrt", 1.0 - (coefficient * share) * (coefficient * share))
+
+
 def _speed(context: ForceContext, entry: Friction) -> Scalar:
     """The speed of its first link against the second (rad/s, or m/s along the line)."""
     geometry, bodies = context.geometry, context.bodies
     link, on = entry.links(geometry.mechanism)
     if entry.turns:
         return bodies[link].turn.d[0] - bodies[on].turn.d[0]
+    if entry.contact is not None:
+        return context.touch(entry.contact).sliding(bodies[link], bodies[on])
     (second, _), (first, heading) = geometry.line(entry.joint, link), geometry.line(entry.joint, on)
     between = bodies[link].point(second).minus(bodies[on].point(first))
     return between.dot(bodies[on].direction(heading)).d[1]
 
 
+def _reported_sliding(reports: ForceReports, entry: Friction) -> tuple[Array, Array]:
+    """Where it acts in a slide or contact, and the direction of sliding, from reported poses."""
+    if entry.contact is not None:
+        touch = reports.touch(entry.contact)
+        return touch.place, touch.along
+    link, on = entry.links(reports.geometry.mechanism)
+    return reports.line(entry.joint, link)[0], reports.line(entry.joint, on)[1]
+
+
 def _pressing(reports: ForceReports, entry: Friction) -> Array:
     """The sum of the forces (N) of its seats, from the reported reaction."""
+    if entry.contact is not None:
+        return np.asarray(np.abs(reports.touch(entry.contact).force))
     mechanism = reports.geometry.mechanism
     link, on = entry.links(mechanism)
     alone = not entry.turns or len(pins(mechanism)[entry.joint].links) == 2
-    force, moment = reports.reaction(_Contact(entry.joint, link, on if alone else entry.joint))
+    force, moment = reports.reaction(Reacting(entry.joint, link, on if alone else entry.joint))
     if entry.turns:
         return np.asarray(np.hypot(*force))
     assert entry.length is not None
@@ -284,7 +327,7 @@ def _resisting(reports: ForceReports, name: str, entry: Friction) -> Array:
         turning = [reports.omega(one) for one in (link, on)]
         speed, largest = turning[0] - turning[1], np.abs(turning[0]) + np.abs(turning[1])
     else:
-        (place, _), (_, along) = reports.line(entry.joint, link), reports.line(entry.joint, on)
+        place, along = _reported_sliding(reports, entry)
         velocities = [reports.velocity(one, place) for one in (link, on)]
         speed = ((velocities[0] - velocities[1]) * along).sum(axis=0)
         largest = sum((np.hypot(*one) for one in velocities), np.zeros(reports.count))
@@ -293,7 +336,8 @@ def _resisting(reports: ForceReports, name: str, entry: Friction) -> Array:
         effort = effort - float(reports.geometry.number(entry.viscous, entry.dimension("viscous"))) * speed
     if entry.coefficient is None:
         return effort
-    arm = 1.0 if entry.radius is None else float(reports.geometry.number(entry.radius, u.LENGTH))
     vague = np.abs(speed) <= VAGUE * largest.max(initial=0.0)
     sense = np.where(vague, np.sign(reports.rows[f"{name}.{entry.effort}"]), -np.sign(speed))
-    return effort + sense * reports.value(entry.coefficient, u.PURE) * arm * _pressing(reports, entry)
+    coefficient = reports.value(entry.coefficient, u.PURE)
+    resisting = coefficient * _arm(reports.geometry, entry, coefficient) * _pressing(reports, entry)
+    return np.asarray(effort + sense * resisting)

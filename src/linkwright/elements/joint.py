@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from linkwright.elements.clearance import LooseJoint, StatedClearance
 from linkwright.elements.curves import Curve as Curve
 from linkwright.elements.entries import JointEntry, make_known
+from linkwright.elements.touch import ReportedTouch, Touch
 from linkwright.expressions.written import FaultWithin
 from linkwright.findings import Term
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
@@ -330,6 +331,14 @@ class JointKind(ABC):
         """What is drawn of it: lines on links, between the lowest and the highest travel (m; NaN without a signal
         ``s``). A page asks with symbols, so that the lines follow when a number of the file is changed."""
         return ()
+
+    def touch(self, geometry: JointGeometry, joint: str, bodies: Mapping[str, Body]) -> Touch:
+        """Where the first of the entry's ``touching`` links touches the second."""
+        raise NotImplementedError
+
+    def reported_touch(self, reports: JointReports, joint: str) -> ReportedTouch:
+        """The same from reported numbers: a part of the proof."""
+        raise NotImplementedError
 
     @abstractmethod
     def misses(self, reports: JointReports, joint: str, links: Sequence[str]) -> list[Miss]:

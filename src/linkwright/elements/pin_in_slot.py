@@ -34,6 +34,7 @@ from linkwright.elements.joint import (
     Reaction,
     register,
 )
+from linkwright.elements.touch import Reacting, ReportedTouch, Touch
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen, LineOn, Name, Two, fault, pair
 from linkwright.expressions.typed_fields import Context, Ends, Quantity, Ref, Sign
@@ -111,6 +112,10 @@ class PinInSlotEntry(JointEntry):
         if self.arc is not None:
             return self.pin, self.arc.centre
         return self.pin, self.axis.point
+
+    @property
+    def touching(self) -> tuple[str, str]:
+        return self.pin_in_slot
 
     @property
     def limits(self) -> Two | None:
@@ -305,6 +310,13 @@ class PinInSlot(JointKind):
         flank = -one_sided.get("force", 0)  # the signal is the slot's force on the pin, which acts with the opposite
         return [OnFlank(joint, (b, a), stated.clearance, f"{joint}.force", -1, flank)]
 
+    def touch(self, geometry: JointGeometry, joint: str, bodies: Mapping[str, Body]) -> Touch:
+        a, b = geometry.mechanism.joints[joint].links
+        inner = self.inner(geometry, joint, (a, b))
+        x, y = inner.local(bodies[a], bodies[b])
+        normal = inner.slot.normal(x.d[0], y.d[0]).rotated(bodies[b].direction(inner.heading).now)
+        return Touch(bodies[a].point(inner.pin).now, normal)
+
     def reference(self, geometry: JointGeometry, joint: str, link: str, bodies: Mapping[str, Body]) -> Pair:
         entry = geometry.mechanism.joints[joint]
         return bodies[entry.links[0]].point(geometry.point(entry.links[0], entry.pin)).now
@@ -339,6 +351,11 @@ class PinInSlot(JointKind):
 
     def misses(self, reports: JointReports, joint: str, links: Sequence[str]) -> list[Miss]:
         return [Miss(_reported_contact(reports, joint)[2], length=True)]
+
+    def reported_touch(self, reports: JointReports, joint: str) -> ReportedTouch:
+        place, normal, _ = _reported_contact(reports, joint)
+        force, _ = reports.reaction(Reacting(joint, *reports.geometry.mechanism.joints[joint].links))
+        return ReportedTouch(place, normal, -(np.asarray(force) * normal).sum(axis=0))
 
     def constraints(self, reports: JointReports, joint: str, links: Sequence[str]) -> list[list[Rate]]:
         place, normal, _ = _reported_contact(reports, joint)

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from linkwright.elements.entries import NOUNS
-from linkwright.model.signals import Signal
+from linkwright.model.signals import POWER, Signal
 
 if TYPE_CHECKING:
     from linkwright.graph.graph import Graph
@@ -52,6 +52,7 @@ ORDERS: dict[str, Callable[[Graph, Signal], int]] = {
     "drive": _of_drive,
     "force": _of_forces,
     "shaking": _of_forces,
-    "energy": lambda graph, signal: 1,
+    "energy": lambda graph, signal: _of_forces(graph, signal) if signal.attribute in POWER else 1,
+    "power": _of_forces,
     "pole": lambda graph, signal: 1,
 } | dict.fromkeys(NOUNS.values(), _of_acting)

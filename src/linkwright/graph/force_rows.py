@@ -52,6 +52,21 @@ class FrictionNumber(Row):
 
 
 @dataclass(frozen=True)
+class FrictionlessEffort(Row):
+    """The torque (N m) or force (N) that a drive would need without any friction."""
+
+    drive: str
+    called = "frictionless/{drive}"
+
+    def order(self, graph: Graph) -> int:
+        return graph.actions.forces
+
+    def expression(self, view: View) -> Scalar:
+        assert view.forces.friction is not None
+        return view.forces.friction.drives[self.drive]
+
+
+@dataclass(frozen=True)
 class Weight(Row):
     """The ``x`` or ``y`` of a link's weight (N), which acts at its centre of mass."""
 

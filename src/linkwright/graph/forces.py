@@ -25,6 +25,9 @@ from linkwright.notation import Body, Pair, Scalar, Wrench
 from linkwright.notation.jets import is_zero
 from linkwright.structure import FRAME, Connection, Driven, Group, HigherGroup, LinkPlacement, Wedge
 
+Efforts = dict[str, dict[str, Wrench]]
+"""The wrenches of unit efforts, by mover and link."""
+
 
 @dataclass
 class Forces:
@@ -35,6 +38,13 @@ class Forces:
     efforts: dict[str, Scalar] = field(default_factory=dict)
     shaking: Wrench = field(default_factory=lambda: Wrench.zero(ZERO))
     friction: FrictionSystem | None = None
+    pushes: Efforts = field(default_factory=dict)
+
+    def reaction(self, joint: str, link: str) -> Wrench:
+        """The wrench of a link on a joint; of a follower's contact, whose effort it is, about that."""
+        if joint in self.pushes:
+            return self.pushes[joint][link].times(-self.efforts[joint])
+        return self.reactions[joint, link]
 
 
 def solve_forces(
@@ -98,6 +108,7 @@ def _balanced(
             own = _added(own, unit, efforts[name])
     forces = _Solver(motion, own, beside).run()
     forces.efforts |= efforts
+    forces.pushes = pushes or {}
     return forces
 
 
@@ -122,9 +133,6 @@ def separating(motion: Motion) -> Iterator[Resisting]:
                 return [(reactions(joint, link).force.dot(along) / along.dot(along),)]
 
             yield Resisting(c.joint, units, law, seats)
-
-
-Efforts = dict[str, dict[str, Wrench]]
 
 
 def unit_efforts(motion: Motion) -> Efforts:

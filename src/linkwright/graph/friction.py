@@ -61,6 +61,7 @@ class FrictionSystem:
     laws: list[Resistance]
     loads: list[list[tuple[Scalar, ...]]]
     slopes: list[list[list[tuple[Scalar, ...]]]]  # by effort, then by unit of an effort, as the loads
+    drives: dict[str, Scalar]  # the drives' efforts with no effort of friction
     efforts: dict[str, Scalar] = field(default_factory=dict)
 
     @classmethod
@@ -68,13 +69,14 @@ class FrictionSystem:
         """The system from the forces without any effort, and those of a unit of each alone."""
 
         def seats(one: Resisting, forces: Forces) -> list[tuple[Scalar, ...]]:
-            return [*one.seats(lambda joint, link: forces.reactions[joint, link])]
+            return [*one.seats(forces.reaction)]
 
         return cls(
             [one.name for one in resisting],
             [one.law for one in resisting],
             [seats(one, base) for one in resisting],
             [[seats(one, forces) for forces in alone] for one in resisting],
+            base.efforts,
         )
 
     def solved(self) -> list[Scalar]:

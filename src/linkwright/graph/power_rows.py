@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING
 
 from linkwright.graph.actions import wrenches
 from linkwright.graph.forces import own_wrench
-from linkwright.graph.rows import Row
-from linkwright.notation import Body, Scalar, Wrench
+from linkwright.graph.power import power_of_wrench, supplied
+from linkwright.graph.rows import ElementActionRow, Row
+from linkwright.notation import Scalar
 from linkwright.notation.jets import call
 from linkwright.structure import FRAME
 
@@ -36,17 +37,23 @@ class PowerRow(Row):
         return sum((call("abs", term) for term in terms) if self.size else terms, 0.0)
 
 
+@dataclass(frozen=True)
+class ElementPower(ElementActionRow):
+    """The power (W) that an element supplies to its links."""
+
+    called = "power/{section}/{name}"
+
+    def order(self, graph: Graph) -> int:
+        return graph.actions.forces
+
+    def expression(self, view: View) -> Scalar:
+        return supplied(view, view.graph.actions.at[self.section, self.name])
+
+
 def powers(view: View) -> list[Scalar]:
     """The power (W) of each drive, of gravity and inertia of each link, and of all that is applied to links."""
     bodies, motion = view.motion.bodies, view.motion
     own = ((link, own_wrench(motion, link, body)) for link, body in bodies.items() if link != FRAME)
     acting = [*own, *((link, wrench) for link, wrench in wrenches(view) if link != FRAME)]
     drives = [view.forces.efforts[name] * view.drive_value(name, 1) for name in view.graph.motors]
-    return [*drives, *(power(bodies[link], wrench) for link, wrench in acting)]
-
-
-def power(body: Body, wrench: Wrench) -> Scalar:
-    """The power (W) of a wrench on a link."""
-    at, omega = wrench.about.minus(body.anchor.now), body.turn.d[0]
-    along = wrench.force.x * (body.anchor.x.d[1] - omega * at.y) + wrench.force.y * (body.anchor.y.d[1] + omega * at.x)
-    return along + omega * wrench.moment
+    return [*drives, *(power_of_wrench(bodies[link], wrench) for link, wrench in acting)]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -11,6 +11,7 @@ import casadi as ca
 
 from linkwright.elements.entries import NOUNS
 from linkwright.elements.follower import UnitEffort
+from linkwright.elements.touch import Touch
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, signal_text
 from linkwright.expressions.units import Dimension
@@ -21,8 +22,9 @@ from linkwright.graph.friction import Resisting
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.motion import Motion, solve_motion
 from linkwright.graph.placing import answered
+from linkwright.graph.power import dissipated, supplied, totals
 from linkwright.graph.singular_orders import pole
-from linkwright.model.signals import Signal
+from linkwright.model.signals import POWER, Signal
 from linkwright.notation import Body, Jet, Scalar, Vec, Wrench
 from linkwright.structure import FRAME
 
@@ -136,7 +138,14 @@ class View:
 
     def reaction(self, joint: str, link: str) -> Wrench:
         """The wrench of a link on a joint."""
-        return self.forces.reactions[joint, link]
+        return self.forces.reaction(joint, link)
+
+    def touch(self, joint: str) -> Touch:
+        """Where the links of a contact touch."""
+        follower = self.graph.actions.followers.get(joint)
+        if follower is not None:
+            return follower.touch(joint, self.motion, self.contacts[joint])
+        return self.graph.structure.topology.kind_of(joint).touch(self.geometry, joint, self.bodies)
 
     def effort(self, name: str) -> Scalar:
         """The effort of what follows from reactions."""
@@ -233,12 +242,23 @@ class View:
         normal = self.motion.bodies[first].direction(heading).perp.now.dot(wrench.force)
         return normal if signal.attribute == "normal" else ca.SX(wrench.moment) / normal
 
+    def power(self, signal: Signal) -> Scalar:
+        (one,) = self.graph.quantities.signals.powered[signal.owners[0]]
+        if one is None:
+            return self.row(f"{signal.owners[0]}.power")
+        return (supplied if signal.attribute == "supplied" else dissipated)(self, one)
+
     def shaking(self, signal: Signal) -> Scalar:
         wrench: Wrench = self.forces.shaking
         return wrench.moment if signal.attribute == "moment" else getattr(wrench.force, signal.attribute)
 
     def energy(self, signal: Signal) -> Scalar:
         geometry, total = self.motion.geometry, 0.0
+        if signal.attribute in POWER:
+            return totals(self, signal.attribute)
+        if signal.attribute == "stored":
+            every = self.graph.quantities.signals.energies
+            return sum((self.energy(replace(signal, attribute=part)) for part in every), 0.0)
         if signal.attribute == "elastic":
             stored = (one for one in self.graph.actions.every if one.kind.stores)
             return sum((one.kind.energy(self, one.name, one.entry) for one in stored), 0.0)
@@ -261,6 +281,6 @@ def _component(at: Vec, signal: Signal) -> Scalar:
     return jet.d[LETTERS[signal.attribute[:-1]]]
 
 
-_KINDS = ("link", "point", "com", "slide", "joint", "drive", "force", "shaking", "energy")
+_KINDS = ("link", "point", "com", "slide", "joint", "drive", "force", "shaking", "energy", "power")
 _SIGNALS: dict[str, Callable[[View, Signal], Scalar]] = {kind: getattr(View, kind) for kind in _KINDS} | {"pole": pole}
 _SIGNALS |= dict.fromkeys(NOUNS.values(), View.acting)

@@ -36,7 +36,10 @@ def misfit(measurer: Measurer, results: Sequence[MeasureResult]) -> float | None
     values = run.all_rates(trees, t)[0]
     worst = [0.0]
     for result, row in zip(known, values, strict=True):
+        reported = {found.label: found.value for found in result.found}
+        reading = measurer.reading(measurer.by_name[result.name])
         worst += [_extremes(measurer, result, t, row), _mean(measurer, result)]
+        worst.append(kind_of(result.measure).contradiction(reported, reading))
     return max(worst)
 
 

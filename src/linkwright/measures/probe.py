@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
 
@@ -106,6 +106,7 @@ class Probe:
     intervals: list[Interval]
     ahead: tuple[Array, Array, Array] | None = None
     """Times (s, ascending) at which values and rates are known, computed for many probes at once."""
+    _means: dict[tuple[int, int], MeanValue] = field(default_factory=dict)
 
     @property
     def run(self) -> Run:
@@ -271,6 +272,11 @@ class Probe:
 
     def mean(self, power: int = 1, rule: int = 0) -> MeanValue:
         """The mean of a power over the intervals, by one of two rules on nodes of its own."""
+        if (power, rule) not in self._means:
+            self._means[power, rule] = self._mean(power, rule)
+        return self._means[power, rule]
+
+    def _mean(self, power: int, rule: int) -> MeanValue:
         # Close to singular places the integral comes from the series, elsewhere from quadrature on panels.
         with np.errstate(invalid="ignore"):  # poles of both signs have no mean
             beside = sum(edge.integral(power) for stretch in self.stretches for edge in stretch)

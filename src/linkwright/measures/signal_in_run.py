@@ -75,14 +75,18 @@ class SignalInRun:
         """The smallest value."""
         return self.probe.bottom()
 
-    def mean(self, power: int = 1) -> float:
+    def mean(self, power: int = 1, rule: int = 0) -> float:
         """The mean of a power."""
-        mean = self.probe.mean(power)
+        mean = self.probe.mean(power, rule)
         self.settled &= mean.settled
         if not np.isfinite(mean.value):
             place = next(p for p in self.probe.limits if np.isinf([p.before.value, p.after.value]).any())
             raise Unmeasured("measure.diverges", place.time)
         return mean.value
+
+    def magnitude(self) -> float:
+        """The mean of the magnitude."""
+        return self.probe.mean().size
 
     def number(self, expression: Expression) -> float:
         """An expression of parameters of the kind of the signal, SI."""

@@ -174,6 +174,7 @@ class Joint(Frozen):
     couple: ClassVar[bool] = False
     follows: ClassVar[bool] = False
     one_sided: ClassVar[Mapping[str, int]] = {}
+    touching: ClassVar[None] = None
     joins: ClassVar[Mapping[str, tuple[Expression, ...]]] = {}
     kinks: ClassVar[tuple[str, ...]] = ()
 

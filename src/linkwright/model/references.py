@@ -51,6 +51,15 @@ KINDS: Mapping[str, ElementKind] = {
     "law": ElementKind(lambda m: m.laws, "laws", "law"),
     "cam": ElementKind(lambda m: m.cams, "cams", "cam"),
     "window": ElementKind(lambda m: m.windows, "windows", "window"),
+    "touching": ElementKind(
+        lambda m: [
+            *(name for name, joint in m.joints_but_pins() if joint.touching is not None),
+            *(name for name, follower in m.followers.items() if follower.touching is not None),
+        ],
+        "joints",
+        "touching",
+    ),
+    "acting": ElementKind(lambda m: [one.name for one in m.acting() if one.kind.acts], "loads", "acting"),
     "measure": ElementKind(lambda m: m.measures, "measures", "measure"),
     "parameter": ElementKind(lambda m: m.parameters, "parameters", code="name.unknown-parameter"),
 }

@@ -28,6 +28,10 @@ FORCE = {"x": u.FORCE, "y": u.FORCE}
 SLIDE_FORCE = {**FORCE, "normal": u.FORCE, "moment": u.TORQUE, "arm": u.LENGTH}
 SHAKING = {"x": u.FORCE, "y": u.FORCE, "moment": u.TORQUE}
 ENERGY = {"kinetic": u.ENERGY, "potential": u.ENERGY}
+TOTALS = {"stored": u.ENERGY, "supplied": u.POWER, "dissipated": u.POWER}
+"""Sums over the mechanism, only by name: all energy stored; the power of all drives; what loads, dampers and friction
+take and don't store."""
+POWER = {"supplied": u.POWER, "dissipated": u.POWER}
 POLE = dict.fromkeys(("x", "y", "u", "v"), u.LENGTH)
 
 
@@ -45,13 +49,13 @@ class Signal:
     @property
     def kinematic(self) -> bool:
         """Whether it follows from the motion alone, without any force."""
-        of_forces = self.kind in ("force", "shaking", "energy") or self.of_contact
+        of_forces = self.kind in ("force", "shaking", "energy", "power") or self.of_contact
         return not of_forces and not self.dimension.mass
 
     @property
     def text(self) -> str:
         """The canonical name, as expressions spell it."""
-        if self.kind in ("force", "com", "pole"):
+        if self.kind in ("force", "com", "pole", "power"):
             return f"{self.kind}({', '.join(self.owners)}).{self.attribute}"
         return f"{self.owners[0]}.{self.attribute}"
 
@@ -155,7 +159,7 @@ class Signals:
         if owner == "shaking":
             return "shaking", SHAKING
         if owner == "energy":
-            return "energy", self.energies
+            return "energy", {**self.energies, **TOTALS}
         raise DimensionError("name.unknown-element", name=owner, near=near(owner, [*self.named, "shaking", "energy"]))
 
     def find(self, node: Name | Call) -> Signal:
@@ -188,6 +192,8 @@ class Signals:
             return "com", (names[0],), POINT
         if node.name == "pole" and len(names) == 2:
             return "pole", self._two_links(names), POLE
+        if node.name == "power" and len(names) == 1:
+            return "power", (names[0],), self._powers(names[0])
         raise DimensionError("signal.unknown", name=signal_text(node), hint=Term("signal-forms"))
 
     def _owned(self, name: str) -> tuple[str, tuple[str, ...]]:
@@ -202,6 +208,24 @@ class Signals:
             known = {**FORCE, "moment": u.TORQUE}
         hidden = ("moment", "arm") if contact.joint in self.looped else ()
         return {name: dimension for name, dimension in known.items() if name not in hidden}
+
+    @cached_property
+    def powered(self) -> dict[str, list[Acting | None]]:
+        """What has power, by name: drives (``None``), and what acts on links."""
+        found: dict[str, list[Acting | None]] = {name: [None] for name in self.mechanism.drives}
+        for one in self.mechanism.acting():
+            if one.kind.acts:
+                found.setdefault(one.name, []).append(one)
+        return found
+
+    def _powers(self, name: str) -> dict[str, Dimension]:
+        """The attributes of ``power(name)``."""
+        if name not in self.powered:
+            known = near(name, [*self.powered])
+            raise DimensionError("name.unknown", kind=Term("a-powered"), name=name, near=known)
+        if len(self.powered[name]) > 1:
+            raise DimensionError("signal.several-elements", name=name)
+        return {"supplied": u.POWER} if self.powered[name][0] is None else POWER
 
     def _two_links(self, names: Sequence[str]) -> tuple[str, ...]:
         for name in names:

@@ -1,6 +1,6 @@
 """Reductions of measures, one file each: what a file says of it, its figures, derivatives, bounds, checks."""
 
-from linkwright.reductions import dwell, extreme, mean, straightness, value
+from linkwright.reductions import dwell, efficiency, extreme, mean, straightness, value
 from linkwright.reductions.derivative import Derivative, Local
 from linkwright.reductions.entry import ENTRIES, SIGNAL, Measure, OfPath, figure, of_signal, reduced
 from linkwright.reductions.figures import Figures, FoundFigure, Peak, Unmeasured
@@ -36,6 +36,7 @@ __all__ = [
     "WithDeviations",
     "WithPlay",
     "dwell",
+    "efficiency",
     "extreme",
     "figure",
     "kind_of",

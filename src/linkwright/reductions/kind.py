@@ -37,6 +37,8 @@ class MeasureKind(ABC):
     """Whether the signal must have a value all over the window."""
     power: ClassVar[int | None] = None
     """The power of the signal whose mean it needs of many samples."""
+    averaged: ClassVar[tuple[str, ...]] = ("",)
+    """The keys of the expressions ("" for the signal) whose means of this power it needs."""
     proven: ClassVar[tuple[float, ...]] = ()
     """The extremes of the signal that its figures state, 1 for the largest and -1 for the smallest: where intervals
     prove these, they prove the figures."""
@@ -91,6 +93,11 @@ class MeasureKind(ABC):
         """By how much values that reach from ``low`` to ``high`` contradict reported figures (by label); negative where
         they don't, ``None`` where values can't tell."""
         return None
+
+    def contradiction(self, reported: Mapping[str, float], run: InRun) -> float:
+        """By how much a second way to reported figures (by label) contradicts them, over the size of what they are made
+        of; it may not be the way of :meth:`run_figures`."""
+        return 0.0
 
     def mean_of(self, figure: float, length: float) -> float | None:
         """The root of the mean of the kind's ``power`` that a figure states of a window of this length (s)."""

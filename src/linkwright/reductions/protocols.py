@@ -52,8 +52,12 @@ class InRun(Protocol):
     def bottom(self) -> Peak:
         """The smallest value, the first of equals."""
 
-    def mean(self, power: int = 1) -> float:
-        """The mean over time of a power of the signal. Raises :class:`Unmeasured` where it grows without bound."""
+    def mean(self, power: int = 1, rule: int = 0) -> float:
+        """The mean over time of a power of the signal; by ``rule`` 1 on other nodes. Raises :class:`Unmeasured` where
+        it grows without bound."""
+
+    def magnitude(self) -> float:
+        """The mean over time of the signal's magnitude."""
 
     def number(self, expression: Expression) -> float:
         """An expression of parameters of the kind of the signal."""
@@ -101,8 +105,11 @@ class InSamples(Protocol):
     def extreme(self, sign: float, key: str = "") -> Figures:
         """The largest values, or with the sign -1 the smallest, among the kind's ``needed_extremes``."""
 
-    def mean(self) -> Array:
-        """The mean over time of the kind's ``power`` of the signal."""
+    def mean(self, key: str = "") -> Array:
+        """The mean over time of the kind's ``power`` of the signal, or of another expression among its ``averaged``."""
+
+    def magnitude(self, key: str = "") -> Array:
+        """The mean over time of the magnitude of that power."""
 
     def values(self, times: Array) -> Array:
         """The signal of each at a time of its own."""
@@ -122,8 +129,9 @@ class WithDeviations(Protocol):
     def extreme(self, sign: float) -> Derivative:
         """That of the largest value, or with the sign -1 of the smallest."""
 
-    def integral(self, power: int) -> tuple[float, Array, float, Array]:
-        """The integral of a power of the signal with its derivative (deviations,); the window's length likewise."""
+    def integral(self, power: int, key: str = "") -> tuple[float, Array, float, Array]:
+        """The integral of a power of the signal, or of another expression, with its derivative (deviations,); the
+        window's length likewise."""
 
     def values_at(self, times: Sequence[float] | Array, key: str = "", rates: bool = True) -> Local:
         """The signal, or another expression, at times: one row."""

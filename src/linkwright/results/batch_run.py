@@ -61,6 +61,7 @@ class Bunch:
         self.quantities.parameters |= varied.joins(p)  # type: ignore[arg-type]
         self._rows: dict[Named, tuple[Array, Array]] = {}
         self._angles: dict[Named, Array] = {}
+        self._crossed: dict[What, tuple[Who, Array]] = {}
         self.fast = np.zeros(self.samples, dtype=bool)
         """Which samples turn further than :data:`MOST_TURN`: their angles are NaN."""
 
@@ -188,7 +189,10 @@ class Bunch:
     def crossings(self, what: What, f: Callable[[Array, Who | None], Array] | None = None) -> tuple[Who, Array]:
         """Samples and times at which a curve changes sign, or ``f(values, samples)`` of it; of the whole grid where
         the samples are None."""
-        f = f or (lambda values, _: values)
+        if f is None:
+            if what not in self._crossed:  # several means ask for the same kinks
+                self._crossed[what] = self.crossings(what, lambda values, _: values)
+            return self._crossed[what]
         found = changes(f(self.on_grid(what)[0], None))
         who = found.who
         return who, self._roots(lambda t, row: f(self.values(what, row, t), row), who, found.before, found.after)

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from linkwright.elements.force import Misfit
 from linkwright.elements.joint import Applied
+from linkwright.elements.touch import ReportedTouch
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.units import Dimension
 from linkwright.graph.geometry import Geometry
@@ -209,6 +210,13 @@ class Reports:
         """The contact of a link in a joint."""
         found: Any = next(c for c in self.contacts if (c.joint, c.link) == (joint, link))
         return found
+
+    def touch(self, joint: str) -> ReportedTouch:
+        """Where the links of a contact touch, and the force there."""
+        follower = self.mechanism.followers.get(joint)
+        if follower is not None:
+            return follower.reported_touch(self, joint)
+        return self.topology.kind_of(joint).reported_touch(self, joint)
 
     def joint_of(self, mover: str) -> str:
         """The joint at which a drive or follower moves its link."""

@@ -115,17 +115,20 @@ class Measuring:
             power = measure.kind.power
             if power is None:
                 continue
-            where, places = windows[measure.window], corners(bunch, measure.signal, self.kinks)
-            panels, last = FIRST_PANELS, np.full(1, np.inf)
-            while panels <= MOST_PANELS:
-                now, size = mean(bunch, measure.signal, where, power, panels, places)
-                if not abs(now - last)[0] > CLOSE * size[0]:
-                    break
-                panels, last = 2 * panels, now
-            if panels > MOST_PANELS:
+            needed = [FIRST_PANELS]
+            for tree in (measure.trees[key] for key in measure.kind.averaged):
+                where, places = windows[measure.window], corners(bunch, tree, self.kinks)
+                panels, last = FIRST_PANELS, np.full(1, np.inf)
+                while panels <= MOST_PANELS:
+                    now, size = mean(bunch, tree, where, power, panels, places)
+                    if not abs(now - last)[0] > CLOSE * size[0]:
+                        break
+                    panels, last = 2 * panels, now
+                needed.append(panels)
+            if max(needed) > MOST_PANELS:
                 self.single.add(measure.name)
             else:
-                found[measure.name] = panels
+                found[measure.name] = max(needed)
         return found
 
     def _coarse_measures(self) -> set[str]:

@@ -16,7 +16,6 @@ from linkwright.findings import Finding, Term
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.rows import Named, TableArgument, effort
 from linkwright.results import Run
-from linkwright.results.jamming import followed, laws
 from linkwright.results.stationary import stationary
 from linkwright.studies.assembly_checks import drive_value
 
@@ -29,40 +28,17 @@ NEAR = 1e-9
 def undefined(run: Run) -> list[Finding]:
     """Loads, springs and the like that have no value somewhere, and those whose two ends meet."""
     actions = run.compiled.graph.actions
-    findings = [_finding_at(run, "spring.no-direction", one.path, t) for one, t in _meeting(run)]
+    findings = [finding_at(run, "spring.no-direction", one.path, t) for one, t in _meeting(run)]
     acting = [one for one in actions.every if one.kind.acts]
     if findings or not acting:
         return findings
     open_ = [i for i, k in enumerate(actions.lookups) if run.compiled.tables[k.table].period is None]
-    t = _times(run, [TableArgument(i) for i in open_])
+    t = telling_times(run, [TableArgument(i) for i in open_])
     for one, values in zip(acting, run.compiled.evaluate([effort(one) for one in acting], t), strict=True):
         bad = t[~np.isfinite(values)]
         if bad.size:
             findings.append(_explained(run, one, bad))
     return findings
-
-
-def jammed(run: Run) -> list[Finding]:
-    """Where friction jams the mechanism soonest as its coefficients grow, where it gives power, as its coefficient is
-    negative, and where its forces aren't those to which its growth leads."""
-    resisting = run.compiled.graph.actions.resisting
-    if not resisting:
-        return []
-    t = _times(run, [])
-    share, efforts = followed(laws(run.compiled, t))
-    worst = int(np.argmin(share))
-    if np.isfinite(share[worst]):
-        return [_finding_at(run, "friction.jams", resisting[0].path, float(t[worst]), share=f"{share[worst]:.3g}")]
-    own = run.compiled.evaluate([f"{one.name}.{one.kind.effort(one.entry)}" for one in resisting], t)
-    efforts = efforts[: len(resisting)]  # the others follow from the sizes of forces, as those of teeth
-    away = np.abs(own - efforts).max(axis=0) / np.maximum(np.abs(efforts).max(axis=0), 1e-300)
-    late = int(np.argmax(np.nan_to_num(away, nan=np.inf)))
-    if not away[late] <= NEAR:
-        return [_finding_at(run, "friction.unsolved", resisting[0].path, float(t[late]))]
-    for one, power in zip(resisting, run.compiled.evaluate([f"{one.name}.power" for one in resisting], t), strict=True):
-        if power.max() > NEAR * np.abs(power).max():
-            return [_finding_at(run, "friction.gives", one.path, float(t[np.argmax(power)]))]
-    return []
 
 
 def outside(run: Run) -> list[Finding]:
@@ -75,7 +51,7 @@ def outside(run: Run) -> list[Finding]:
             continue
         low, high = (quantities.value(edge, u.LENGTH) for edge in limits.edges)
         signal = f"{one.name}.{limits.attribute}"
-        t = _times(run, [signal])
+        t = telling_times(run, [signal])
         length = run.compiled.evaluate([signal], t)[0]
         over = np.maximum(low - length, length - high)
         worst = int(np.argmax(over))
@@ -83,7 +59,7 @@ def outside(run: Run) -> list[Finding]:
             data = {"length": length[worst], "low": low, "high": high}
             shown = {key: f"{value / size:.6g}" for key, value in data.items()}
             findings.append(
-                _finding_at(run, "spring.outside-length", one.path, float(t[worst]), "warning", of=unit, **shown)
+                finding_at(run, "spring.outside-length", one.path, float(t[worst]), "warning", of=unit, **shown)
             )
     return findings
 
@@ -110,7 +86,7 @@ def _lifted(run: Run, path: tuple[str, str], one_sided: Mapping[str, int], kind:
         if pull > NEAR * np.abs(force).max():
             unit, size = run.compiled.quantities.unit_of(run.dimension(signal))
             data = {"joint": path[1], "kind": kind, "force": f"{pull / size:.6g}", "of": unit}
-            yield _finding_at(run, code, path, float(t[worst]), "warning", **data)
+            yield finding_at(run, code, path, float(t[worst]), "warning", **data)
 
 
 class RunMotion:
@@ -122,7 +98,7 @@ class RunMotion:
 
     def row(self, signal: str) -> tuple[Array, Array]:
         """Times (s), those among them at which a signal is least and greatest, and its values there (SI)."""
-        t = _times(self.run, [signal])
+        t = telling_times(self.run, [signal])
         return t, self.run.compiled.evaluate([signal], t)[0]
 
 
@@ -131,14 +107,14 @@ def _meeting(run: Run) -> list[tuple[Acting, float]]:
     found = []
     for one in run.compiled.graph.actions.every:
         if attribute := one.kind.distance(one.entry):
-            t = _times(run, [f"{one.name}.{attribute}"])
+            t = telling_times(run, [f"{one.name}.{attribute}"])
             length = run.compiled.evaluate([f"{one.name}.{attribute}"], t)[0]
             if not length.min() > NEAR * length.max():
                 found.append((one, float(t[np.argmin(length)])))
     return found
 
 
-def _times(run: Run, rows: Sequence[Named]) -> Array:
+def telling_times(run: Run, rows: Sequence[Named]) -> Array:
     """Times that tell where rows are smallest and largest."""
     turning = stationary(partial(run.compiled.rates, rows), run.start, run.stop, run.grid) if rows else []
     grid = np.linspace(run.start, run.stop, run.grid + 1)
@@ -163,11 +139,11 @@ def _explained(run: Run, one: Acting, bad: Array) -> Finding:
                 key: f"{value / size:.6g}"
                 for key, value in zip(("at", "low", "high"), (at, *table.x[[0, -1]]), strict=True)
             }
-            return _finding_at(run, "load.outside-table", one.path, time, table=lookup.table, of=unit, **shown)
-    return _finding_at(run, "load.not-finite", one.path, float(bad[0]))
+            return finding_at(run, "load.outside-table", one.path, time, table=lookup.table, of=unit, **shown)
+    return finding_at(run, "load.not-finite", one.path, float(bad[0]))
 
 
-def _finding_at(
+def finding_at(
     run: Run, code: str, path: tuple[str, str], time: float, severity: str = "error", **data: Any
 ) -> Finding:
     """A finding at a time, with the first drive's value there."""

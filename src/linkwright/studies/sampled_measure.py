@@ -62,6 +62,7 @@ class Taken:
         bunch.watch(measuring.watched)
         self.windows = Windows(bunch, measuring.jumping)
         self.sides = sides(bunch, measuring.joins, self.windows.gaps)
+        self.means: dict[tuple[Node, BoundWindow | None, int, int], tuple[Array, Array]] = {}
 
     def evaluate_all(self) -> Many:
         """All of them."""
@@ -194,16 +195,27 @@ class SampledMeasure:
         """The largest values of an expression, or with the sign -1 the smallest."""
         return self.taken.extremes[self.asked.trees[key], self.asked.window, sign]
 
-    def mean(self) -> Array:
-        """The mean of the kind's power; samples for which its panels are too coarse are noted."""
-        plan, bunch, tree, power = self.taken.measuring, self.taken.bunch, self.asked.signal, self.asked.kind.power
+    def mean(self, key: str = "") -> Array:
+        """The mean of the kind's power of an expression; samples for which its panels are too coarse are noted."""
+        return self._means(key)[0]
+
+    def magnitude(self, key: str = "") -> Array:
+        """The mean of the magnitude of that."""
+        return self._means(key)[1]
+
+    def _means(self, key: str) -> tuple[Array, Array]:
+        plan, bunch, tree, power = self.taken.measuring, self.taken.bunch, self.asked.trees[key], self.asked.kind.power
         assert power is not None
-        panels, places = plan.panels[self.asked.name], corners(bunch, tree, plan.kinks)
-        values, size = mean(bunch, tree, self._window, power, panels, places)
-        half, _ = mean(bunch, tree, self._window, power, panels // 2, places)
+        panels, known = plan.panels[self.asked.name], self.taken.means
+        for count in (panels, panels // 2):  # measures that compare works share most of theirs
+            if (key_of := (tree, self.asked.window, power, count)) not in known:
+                known[key_of] = mean(bunch, tree, self._window, power, count, corners(bunch, tree, plan.kinks))
+        values, size = known[tree, self.asked.window, power, panels]
+        half, _ = known[tree, self.asked.window, power, panels // 2]
         with np.errstate(invalid="ignore"):
-            self.taken.coarse[self.asked.name] = ~(np.abs(values - half) <= SETTLED * size)
-        return values
+            coarse = ~(np.abs(values - half) <= SETTLED * size)
+        self.taken.coarse[self.asked.name] = coarse | self.taken.coarse.get(self.asked.name, False)
+        return values, size
 
     def values(self, times: Array) -> Array:
         """The signal of each at a time (s) of its own."""

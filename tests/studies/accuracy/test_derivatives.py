@@ -37,6 +37,8 @@ MEASURES = {
     "straight_part": {"straightness": "E", "window": "early"},
     "passing": {"dwell": "rocker.angle", "within": "wide/(1 m)", "window": "late"},
     "resting": {"dwell": "E.x", "within": "wide"},
+    "efficiency": {"efficiency": ["drag"], "window": "high"},
+    "share": {"share": ["oil"], "useful": ["drag"], "window": "early"},
     "max_in_a_window": {"max": "C.y", "window": "early"},
 }
 NOMINAL = {"AB": 0.155, "wide": 0.05, "CD": 0.3, "AD": 0.3, "edge": 0.31, "m": 2, "offset": 0.02}
@@ -50,7 +52,9 @@ def feeder(measures: dict[str, Any] = MEASURES, **sections: Any) -> Compiled:
     data["links"]["rocker"]["mass"] = "m"
     data["drives"]["motor"]["start"] = "20 deg + offset"
     data["windows"] = {"early": ["0.05 s", "edge"], "late": ["0.4 s", "0.7 s"], "high": {"C.y": ["CD/3", "CD*0.9"]}}
-    data["loads"] = {"push": {"on": "slider", "at": "E", "force": [5, -7], "window": "high"}}
+    drag = {"on": "slider", "at": "E", "force": ["-20 N*E.vx/(1 m/s)", 0]}
+    data["loads"] = {"push": {"on": "slider", "at": "E", "force": [5, -7], "window": "high"}, "drag": drag}
+    data["springs"] = {"oil": {"turns": "rocker", "on": "frame", "damping": "0.3 N*m*s/rad"}}
     data["measures"] = measures
     data["require"] = {}
     return compiled_from(data | sections)

@@ -1,6 +1,7 @@
 // The rules of reductions by name, and a measure taken by its rule. As LiveMeasure of src/linkwright/measures/live.py.
 
 import { dwell } from "./dwell.ts";
+import { efficiency, share } from "./efficiency.ts";
 import { extremes, max, min, span } from "./extreme.ts";
 import { mean, path, rms } from "./mean.ts";
 import type { Figures, Interval, LiveMeasure, LiveRow, OnSamples, Rows, Rule } from "./measure.ts";
@@ -11,12 +12,14 @@ import { value } from "./value.ts";
 
 export const RULES: Readonly<Record<string, Rule>> = {
   dwell,
+  efficiency,
   extremes,
   max,
   mean,
   min,
   path,
   rms,
+  share,
   span,
   straightness,
   value,

@@ -25,13 +25,14 @@ from linkwright.elements.follower import (
 )
 from linkwright.elements.force import SignalChart
 from linkwright.elements.joint import Applied
+from linkwright.elements.touch import ReportedTouch, Touch
 from linkwright.expressions import units as u
 from linkwright.expressions.language import Call, Node
 from linkwright.expressions.typed_fields import Path
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding
 from linkwright.laws import Motion
-from linkwright.notation import Jet, Scalar
+from linkwright.notation import Jet, Pair, Scalar
 
 
 @register_follower
@@ -87,6 +88,23 @@ class CamFollower(Follower):
             SignalChart("contact", "force", self.effort),
             *(SignalChart("pressure", "force", angle) for angle in self.extra),
         ]
+
+    @property
+    def touching(self) -> tuple[str, str]:
+        return self.link, self.cam.cam
+
+    @property
+    def roller(self) -> Any:
+        return self.cam.roller
+
+    def touch(self, name: str, poses: PoseQuery, acting: UnitEffort) -> Touch:
+        push = acting.wrenches[self.link]
+        size = 0.0 if self.roller is None else poses.geometry.number(self.roller, u.LENGTH)
+        place, normal = push.about, push.force
+        return Touch(Pair(place.x - size * normal.x, place.y - size * normal.y), normal)
+
+    def reported_touch(self, reports: FollowerReports, name: str) -> ReportedTouch:
+        return proof.touch(reports, self, name)
 
     @property
     def pressures(self) -> Sequence[str]:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.elements.cam_contact.second import largest
+from linkwright.elements.touch import ReportedTouch
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import LineOn
 
@@ -28,6 +29,13 @@ def applied(r: FollowerReports, drive: CamFollower, name: str) -> list[Applied]:
         place, normal = np.where(size < 0, there, place), np.where(size < 0, -other, normal)
     force = size * normal
     return [(drive.link, force, place, 0.0), (drive.cam.cam, -force, place, 0.0)]
+
+
+def touch(r: FollowerReports, drive: CamFollower, name: str) -> ReportedTouch:
+    """Where the follower or its roller touches the cam."""
+    place, normal = contact(r, drive)
+    roller = 0.0 if drive.cam.roller is None else r.number(drive.cam.roller, u.LENGTH)
+    return ReportedTouch(place - roller * normal, normal, r.rows[f"{name}.force"])
 
 
 def contact(r: FollowerReports, drive: CamFollower, second: bool = False) -> tuple[Array, Array]:

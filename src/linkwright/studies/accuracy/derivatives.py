@@ -81,10 +81,10 @@ class Derivatives:
                 apart.append(slope)
         return Derivative("max" if sign > 0 else "min", float(near[0]), np.stack(apart), sign)
 
-    def integral(self, measure: BoundMeasure, power: int) -> tuple[float, Array, float, Array]:
-        """The integral of a power of a measure's signal over its window with its derivative, and the window's length
-        likewise."""
-        probe, edges = self.measurer.probe(measure), self.edges
+    def integral(self, measure: BoundMeasure, power: int, key: str = "") -> tuple[float, Array, float, Array]:
+        """The integral of a power of one of a measure's expressions over its window with its derivative, and the
+        window's length likewise."""
+        probe, edges = self.measurer.probe(measure, key), self.edges
         total, slope, length, grows = 0.0, np.zeros(self.slopes.count), probe.length(), np.zeros(self.slopes.count)
         corners = np.concatenate([probe.stationary, self.run.breaks])
         for a, b in probe.intervals:
@@ -145,9 +145,9 @@ class Deviated:
         """That of the largest value, or with the sign -1 of the smallest."""
         return self.every.extreme(self.measure, sign)
 
-    def integral(self, power: int) -> tuple[float, Array, float, Array]:
-        """That of a power over the window, and of the window's length."""
-        return self.every.integral(self.measure, power)
+    def integral(self, power: int, key: str = "") -> tuple[float, Array, float, Array]:
+        """That of a power of an expression over the window, and of the window's length."""
+        return self.every.integral(self.measure, power, key)
 
     def values_at(self, times: Sequence[float] | Array, key: str = "", rates: bool = True) -> Local:
         """The signal, or another expression, at times (s)."""

@@ -19,7 +19,8 @@ from linkwright.studies.cycle.options import CycleOptions, span
 from linkwright.studies.cycle.outcome import CycleOutcome
 from linkwright.studies.cycle.report import report
 from linkwright.studies.follower_locking import locked
-from linkwright.studies.load_checks import contacts, jammed, outside, undefined
+from linkwright.studies.friction_checks import ambiguous, jammed, self_locking
+from linkwright.studies.load_checks import contacts, outside, undefined
 from linkwright.studies.output_dead_centres import powerless
 from linkwright.studies.plausible import coincident, crossed
 from linkwright.studies.registry import Study, register
@@ -85,8 +86,8 @@ class Cycle(Study):
         result.failures += [*unproven(result), *faults, *strokes(run), *travels(run)]
         warned = [finding for finding in measurer.findings if finding not in faults]
         warned += [*warnings(run), *near(run), *(not_periodic(run) if options.period is not None else [])]
-        notes = [*coincident(run), *crossed(run)]
-        warned += [*outside(run), *contacts(run)]
+        notes = [*coincident(run), *crossed(run), *self_locking(run)]
+        warned += [*outside(run), *contacts(run), *ambiguous(run)]
         return CycleOutcome(result, measures, [*warned, *notes], site.progress)
 
     def report(self, outcome: CycleOutcome) -> StudyReport:

@@ -160,6 +160,8 @@ TEXTS: dict[str, str] = {
     "reduction.dwell": "dwell",
     "reduction.value": "value",
     "reduction.straightness": "straightness",
+    "reduction.efficiency": "efficiency",
+    "reduction.share": "share of the energy given",
     "measure.max": "max",
     "measure.min": "min",
     "measure.figure": "{name} {label}",

@@ -160,6 +160,8 @@ TEXTS: dict[str, str] = {
     "reduction.dwell": "停留时间",
     "reduction.value": "值",
     "reduction.straightness": "直线度",
+    "reduction.efficiency": "效率",
+    "reduction.share": "占输入能量的比例",
     "measure.max": "最大",
     "measure.min": "最小",
     "measure.figure": "{name} {label}",

@@ -26,6 +26,7 @@ _EXAMPLES = {
     "tolerance": "Examples: 0.05, [-0.1, 0.05], ISO 2768-m",
     "correlation": "Example: 0.7",
     "two-links": "Example: [frame, slider]",
+    "element-names": "Example: [press, bearing_A]",
     "slot-place": "Example: [30, 8]",
     "slot-places": "Example: [[0, 0], [30, 8], [60, 0]]",
     "two-points": "Example: [B1, B2]",

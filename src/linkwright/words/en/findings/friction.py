@@ -3,11 +3,12 @@
 PROBLEMS: dict[str, tuple[str, str]] = {
     "friction.place": (
         "It isn't clear where the friction is.",
-        "Give pin (the name of a pin) or slide (the name of a prismatic joint), one of them.",
+        "Give exactly one of pin (the name of a pin), slide (the name of a prismatic joint) and contact (that of a cam or of a "
+        "pin in a slot).",
     ),
     "friction.stray": (
         "These keys aren't allowed in friction of this kind: {keys}.",
-        "Remove them: a pin has radius and, if needed, in; a slide has length.",
+        "Remove them: a pin has radius and, if needed, in; a slide has length; a contact has radius if it has a roller.",
     ),
     "friction.law": (
         "The friction has no law.",
@@ -38,6 +39,14 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "Friction can't be computed together with {name}, whose follower has contact on two sides.",
         "Remove the friction, or give the follower one contact.",
     ),
+    "friction.roller": (
+        "The contact {name} has a roller, which rubs at its pin, so the friction needs the radius of that pin.",
+        "Add radius, that of the roller's pin.",
+    ),
+    "friction.no-roller": (
+        "The contact {name} has no roller, so its friction has no radius.",
+        "Remove radius.",
+    ),
     "friction.gives": (
         "At t = {time} s ({drive} = {value} {unit}) the coefficient of friction is negative: the friction would drive.",
         "Write it as a function of the magnitude of the speed, such as abs(NAME.omega), that stays above zero.",
@@ -55,5 +64,21 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "At t = {time} s ({drive} = {value} {unit}) the mechanism jams: at {share} of the friction coefficients the "
         "friction has grown beyond any effort of the drives.",
         "Reduce the coefficients or radii, use a longer guide, or avoid this part of the motion.",
+    ),
+    "friction.jams-meeting": (
+        "At t = {time} s ({drive} = {value} {unit}) the mechanism jams: at {share} of the friction coefficients two possible "
+        "equilibria meet, and beyond there is none in which it moves as prescribed.",
+        "Reduce the coefficients or radii, use a longer guide, or avoid this part of the motion.",
+    ),
+    "friction.several": (
+        "From t = {time} s ({drive} = {value} {unit}) on, in {share} % of the motion, the friction forces aren't unique: other "
+        "forces, such as those of a wedged mechanism, obey the same laws. Reported are those to which friction grows from zero.",
+        "Reduce the coefficients or radii, or use a longer guide, if the mechanism might wedge.",
+    ),
+    "friction.self-locking": (
+        "The mechanism is self-locking from t = {start} s to t = {stop} s ({drive} = {low} to {high} {unit}): the loads would "
+        "drive it against {name}, but friction holds it, so that {name} has to push. Such intervals: {count}, together "
+        "{share} % of the run.",
+        "No change is needed if it is to hold without a brake; otherwise reduce the coefficients or radii.",
     ),
 }

@@ -25,6 +25,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "'within' is required for 'dwell', and allowed only there.",
         "Write dwell and within together: {{dwell: E.x, within: 0.5 mm}}.",
     ),
+    "measure.useful": (
+        "'useful' is required for 'share', and allowed only there.",
+        "Write share and useful together: {{share: [bearing_A], useful: [press]}}. For an efficiency: {{efficiency: [press]}}.",
+    ),
     "measure.bad-where": (
         "'{given}' doesn't define an instant.",
         "Write one of: max SIGNAL, min SIGNAL, SIGNAL = VALUE (such as motor.angle = 24 deg), start, end.",
@@ -69,6 +73,16 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     "measure.no-instant": (
         "The measure {name} has no value: the run never reaches the instant that its 'where' defines.",
         "Correct 'where' or the window, or make the study run longer.",
+    ),
+    "measure.useless": (
+        "The measure {name} has no value: the useful loads do no work in the run or the window, so there is no efficiency.",
+        "Name the loads that do the useful work, or choose a window in which they do; a load whose work cancels over a turn "
+        "needs a window for its working stroke.",
+    ),
+    "measure.energy-from-others": (
+        "The measure {name} has no value: other loads, which aren't named as useful, supply more energy than is lost, so the "
+        "energy given by the drives isn't the whole input.",
+        "Name these loads as useful too, or model what drives the mechanism as a drive.",
     ),
     "measure.unsettled": (
         "The search for {name} hadn't converged on its finest grid ({width}): digits or narrow peaks may be missing.",

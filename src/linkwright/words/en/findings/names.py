@@ -42,6 +42,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "{a} and {b} are connected by several joints: {joints}.",
         "Name the joint as the third argument: force({a}, {b}, JOINT).",
     ),
+    "signal.several-elements": (
+        "'{name}' is the name of several drives, loads, springs or friction, so its power is ambiguous.",
+        "Rename all but one of them.",
+    ),
     "signal.no-mass": (
         "'{name}' isn't a link with mass, so it has no centre of mass.",
         "Give the link a mass, or use one of its points.",

@@ -38,6 +38,7 @@ TERMS: dict[str, str] = {
     "tolerance": "a number, [lower, upper], a class such as ISO 2768-m, or a mapping",
     "correlation": "a number, or a matrix of numbers as a list of rows",
     "two-links": "[LINK, LINK]",
+    "element-names": "a list of loads, springs or friction",
     "kind-revolute": "pin",
     "kind-prismatic": "prismatic joint",
     "kind-coupling": "coupling",
@@ -135,6 +136,9 @@ TERMS: dict[str, str] = {
     "no-unit": "1 (a pure number)",
     # Kinds of names.
     "a-link": "a link",
+    "a-powered": "a drive, load, spring or friction",
+    "a-touching": "a pin in a slot or a cam",
+    "a-acting": "a load, spring or friction",
     "a-point": "a point",
     "a-joint": "a joint",
     "a-slide": "a prismatic joint",

@@ -26,6 +26,7 @@ _EXAMPLES = {
     "tolerance": "示例：0.05、[-0.1, 0.05]、ISO 2768-m",
     "correlation": "示例：0.7",
     "two-links": "示例：[frame, slider]",
+    "element-names": "示例：[press, bearing_A]",
     "slot-place": "示例：[30, 8]",
     "slot-places": "示例：[[0, 0], [30, 8], [60, 0]]",
     "two-points": "示例：[B1, B2]",

@@ -1,13 +1,13 @@
-"""Problems of springs."""
+"""Problems of friction."""
 
 PROBLEMS: dict[str, tuple[str, str]] = {
     "friction.place": (
         "摩擦的位置不明确。",
-        "给出 pin（转动副名称）或 slide（移动副名称），二者之一。",
+        "给出 pin（转动副名称）、slide（移动副名称）或 contact（凸轮或槽中销的名称），只给出其中一个。",
     ),
     "friction.stray": (
         "此类摩擦不允许使用这些键：{keys}。",
-        "将其删除：转动副使用 radius，需要时加 in；移动副使用 length。",
+        "将其删除：转动副使用 radius，需要时加 in；移动副使用 length；接触仅在有滚子时使用 radius。",
     ),
     "friction.law": (
         "没有给出摩擦的规律。",
@@ -37,6 +37,14 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "摩擦无法与 {name} 一起计算：其从动件在两侧接触。",
         "去掉摩擦，或使从动件只在一侧接触。",
     ),
+    "friction.roller": (
+        "接触 {name} 有滚子，摩擦发生在滚子的销轴上，因此需要该销轴的半径。",
+        "加上 radius，即滚子销轴的半径。",
+    ),
+    "friction.no-roller": (
+        "接触 {name} 没有滚子，其摩擦没有半径。",
+        "删除 radius。",
+    ),
     "friction.gives": (
         "在 t = {time} s（{drive} = {value} {unit}）摩擦系数为负：摩擦将成为驱动。",
         "将其写为速度大小的函数，例如“abs(NAME.omega)”的函数，且始终不小于零。",
@@ -52,5 +60,19 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     "friction.jams": (
         "在 t = {time} s（{drive} = {value} {unit}）机构卡死：摩擦系数达到给定值的 {share} 时，摩擦已超过驱动的任何作用力。",
         "减小摩擦系数或半径，加长导轨，或避开这段运动。",
+    ),
+    "friction.jams-meeting": (
+        "在 t = {time} s（{drive} = {value} {unit}）机构卡死：摩擦系数达到给定值的 {share} 时，两种可能的平衡状态重合，此后不存在使机构按此运动的平衡状态。",
+        "减小摩擦系数或半径，加长导轨，或避开这段运动。",
+    ),
+    "friction.several": (
+        "从 t = {time} s（{drive} = {value} {unit}）起，在 {share} % 的运动中摩擦力不唯一：其他的力（例如机构楔紧时的力）也满足同样的规律。"
+        "给出的是摩擦从零逐渐增大时所达到的力。",
+        "若机构可能楔紧，应减小摩擦系数或半径，或加长导轨。",
+    ),
+    "friction.self-locking": (
+        "从 t = {start} s 到 t = {stop} s（{drive} = {low} 至 {high} {unit}）机构自锁：载荷本会反过来驱动 {name}，但被摩擦阻止，"
+        "因此 {name} 必须推动机构。此类区间共 {count} 个，合计占运行时间的 {share} %。",
+        "若要求机构不用制动器即能保持，则无需修改；否则减小摩擦系数或半径。",
     ),
 }

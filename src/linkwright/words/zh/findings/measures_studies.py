@@ -25,6 +25,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "“dwell”必须与“within”同时使用，其他情况下不能使用“within”。",
         "同时写 dwell 和 within：{{dwell: E.x, within: 0.5 mm}}。",
     ),
+    "measure.useful": (
+        "“useful”只能与“share”一起给出，且必须给出。",
+        "将 share 和 useful 写在一起：{{share: [bearing_A], useful: [press]}}；求效率则写 {{efficiency: [press]}}。",
+    ),
     "measure.bad-where": (
         "“{given}”不能确定一个时刻。",
         "写以下之一：max SIGNAL、min SIGNAL、SIGNAL = VALUE（例如 motor.angle = 24 deg）、start、end。",
@@ -68,6 +72,14 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     "measure.no-instant": (
         "测量项 {name} 没有值：运动始终未到达“where”所定义的时刻。",
         "改正“where”或时间窗，或延长分析时段。",
+    ),
+    "measure.useless": (
+        "测量项 {name} 没有值：有用载荷在该运行或时间窗内不做功，因此不存在效率。",
+        "指定做有用功的载荷，或选用其做功的时间窗；若载荷在一周内所做的功相互抵消，应为其工作行程设置时间窗。",
+    ),
+    "measure.energy-from-others": (
+        "测量项 {name} 没有值：未列为有用的其他载荷输入的能量多于损失的能量，因此驱动提供的能量不是全部输入。",
+        "将这些载荷也列为有用载荷，或将驱动机构的载荷改为驱动。",
     ),
     "measure.unsettled": (
         "对 {name} 的搜索在最细的网格（{width}）上仍未收敛：末几位数字可能不准，或遗漏了窄峰。",

@@ -41,6 +41,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "{a} 与 {b} 由多个运动副连接：{joints}。",
         "以运动副的名称作为第三个参数：force({a}, {b}, JOINT)。",
     ),
+    "signal.several-elements": (
+        "“{name}”是多个驱动、载荷、弹簧或摩擦的名称，其功率有歧义。",
+        "只保留其中一个名称，其余改名。",
+    ),
     "signal.no-mass": (
         "“{name}”不是有质量的构件，因此没有质心。",
         "为该构件定义质量，或改用其上的点。",

@@ -38,6 +38,7 @@ TERMS: dict[str, str] = {
     "tolerance": "数值、[下偏差, 上偏差]、公差等级（例如 ISO 2768-m）或映射",
     "correlation": "数值，或按行给出的数值矩阵",
     "two-links": "[LINK, LINK]",
+    "element-names": "载荷、弹簧或摩擦的名称列表",
     "kind-revolute": "转动副",
     "kind-prismatic": "移动副",
     "kind-coupling": "联动",
@@ -135,6 +136,9 @@ TERMS: dict[str, str] = {
     "no-unit": "1（无量纲）",
     # Kinds of names.
     "a-link": "构件",
+    "a-powered": "驱动、载荷、弹簧或摩擦",
+    "a-touching": "槽中的销或凸轮",
+    "a-acting": "载荷、弹簧或摩擦",
     "a-point": "点",
     "a-joint": "运动副",
     "a-slide": "移动副",

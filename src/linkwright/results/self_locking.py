@@ -1,0 +1,60 @@
+"""Where a mechanism locks itself: loads would drive it, but friction holds it, so that the drive has to push.
+
+A drive holds back where its power without any friction is negative. If loads, springs and gravity supply power there,
+and the drive's power with friction is positive, its effort has changed its sign by friction: released, it would
+stop (a block on a slope whose tangent is below the coefficient: Beer, Johnston, Vector Mechanics for Engineers:
+Statics, ch. 8).
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.graph.force_rows import FrictionlessEffort
+from linkwright.graph.power_rows import ElementPower
+from linkwright.graph.rows import Named
+from linkwright.results.run import Run
+from linkwright.results.stationary import crossings
+
+Array = NDArray[np.float64]
+
+CLEAR = 1e-9
+"""Powers below this share of the largest one have no sign."""
+LITTLE = 0.01
+"""Loads that never supply more than this share of the largest power that they exchange drive nothing."""
+LOOKS = 16
+"""At so many places within a stretch the power of the loads is looked at."""
+
+
+def locked_stretches(run: Run, drive: str) -> list[tuple[float, float]]:
+    """The stretches of time (s) in which a drive pushes though without friction it would hold back the loads."""
+    prescribed = run.compiled.mechanism.drives[drive]
+    acting = [one for one in run.compiled.graph.actions.every if one.kind.acts and not one.kind.resists]
+    named: list[Named] = [f"{drive}.{prescribed.effort}", FrictionlessEffort(drive), f"{drive}.{prescribed.rate}"]
+    named += [ElementPower(*one.path) for one in acting]
+
+    def powers(t: Array) -> Array:
+        """Of the drive with and without friction, and of the loads, springs and gravity (W): (3, times)."""
+        effort, alone, rate, *loads = run.compiled.evaluate(named, t)
+        falling = -run.compiled.rates(["energy.potential"], t)[1][0]
+        return np.stack([effort * rate, alone * rate, sum(loads, falling)])
+
+    def one_of(row: int, t: Array) -> Array:
+        return np.asarray(powers(t)[row])
+
+    cuts = [crossings(partial(one_of, row), run.start, run.stop, run.grid) for row in range(3)]
+    edges = np.unique(np.concatenate([[run.start, run.stop], *cuts]))
+    edges = edges[np.append(True, np.diff(edges) > CLEAR * (run.stop - run.start))]
+    clear = CLEAR * np.nanmax(np.abs(powers(np.linspace(run.start, run.stop, run.grid + 1))), axis=1, initial=0.0)
+    given, alone, loads = powers((edges[:-1] + edges[1:]) / 2)
+    locked = (given > clear[0]) & (alone < -clear[1]) & (loads > clear[2])
+    found: list[tuple[float, float]] = []
+    for (a, b), holds in zip(pairwise(edges.tolist()), locked, strict=True):
+        if holds:
+            found.append((found.pop()[0], b) if found and found[-1][1] == a else (a, b))
+    most = LITTLE / CLEAR * clear[2]
+    return [(a, b) for a, b in found if one_of(2, np.linspace(a, b, LOOKS + 1)[1:-1]).max() > most]

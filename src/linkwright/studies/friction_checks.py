@@ -1,0 +1,84 @@
+"""What friction does beyond its forces: it jams a mechanism, locks it against its loads, or leaves its forces open."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.findings import Finding
+from linkwright.results import Run
+from linkwright.results.jamming import Laws, followed, laws, meets, several
+from linkwright.results.self_locking import locked_stretches
+from linkwright.studies.assembly_checks import drive_value
+from linkwright.studies.load_checks import NEAR, finding_at, telling_times
+
+Array = NDArray[np.float64]
+
+NO_FORCE = 1e-100
+"""Efforts (N, N m) below this are none: where nothing presses, the smoothed size of forces leaves some 1e-150."""
+
+
+def jammed(run: Run) -> list[Finding]:
+    """Where friction jams the mechanism soonest as its coefficients grow, where it gives power, as its coefficient is
+    negative, and where its forces aren't those to which its growth leads."""
+    resisting = run.compiled.graph.actions.resisting
+    if not resisting:
+        return []
+    t = telling_times(run, [])
+    of = laws(run.compiled, t)
+    share, efforts = followed(of)
+    worst = int(np.argmin(share))
+    if np.isfinite(share[worst]):
+        code = "friction.jams-meeting" if meets(of.at(worst)) else "friction.jams"
+        return [finding_at(run, code, resisting[0].path, float(t[worst]), share=f"{share[worst]:.3g}")]
+    own = run.compiled.evaluate([f"{one.name}.{one.kind.effort(one.entry)}" for one in resisting], t)
+    efforts = efforts[: len(resisting)]  # the others follow from the sizes of forces, as those of teeth
+    away = np.abs(own - efforts).max(axis=0) / np.maximum(np.abs(efforts).max(axis=0), NO_FORCE)
+    late = int(np.argmax(np.nan_to_num(away, nan=np.inf)))
+    if not away[late] <= NEAR:
+        return [finding_at(run, "friction.unsolved", resisting[0].path, float(t[late]))]
+    for one, power in zip(resisting, run.compiled.evaluate([f"{one.name}.power" for one in resisting], t), strict=True):
+        if power.max() > NEAR * np.abs(power).max():
+            return [finding_at(run, "friction.gives", one.path, float(t[np.argmax(power)]))]
+    return []
+
+
+def ambiguous(run: Run) -> list[Finding]:
+    """A warning where other friction forces obey the same laws."""
+    resisting = run.compiled.graph.actions.resisting
+    if not resisting:
+        return []
+    t = telling_times(run, [])
+    found: Laws = laws(run.compiled, t)
+    open_ = several(found, followed(found)[1])
+    if not open_.any():
+        return []
+    share = f"{100 * float(open_.mean()):.3g}"
+    return [finding_at(run, "friction.several", resisting[0].path, float(t[np.argmax(open_)]), "warning", share=share)]
+
+
+def self_locking(run: Run) -> list[Finding]:
+    """A note for each drive that has to push though loads would drive it without friction: its longest stretch."""
+    if not run.compiled.graph.actions.resisting:
+        return []
+    found, length = list[Finding](), run.stop - run.start
+    for drive in run.compiled.graph.motors:
+        stretches = locked_stretches(run, drive)
+        if not stretches:
+            continue
+        start, stop = max(stretches, key=lambda one: one[1] - one[0])
+        ends = [drive_value(run, time) for time in (start, stop)]
+        total = sum(b - a for a, b in stretches)
+        data = {
+            "name": drive,
+            "start": f"{start:.6g}",
+            "stop": f"{stop:.6g}",
+            "drive": ends[0]["drive"],
+            "low": ends[0]["value"],
+            "high": ends[1]["value"],
+            "unit": ends[0]["unit"],
+            "count": len(stretches),
+            "share": f"{100 * total / length:.3g}",
+        }
+        found.append(Finding("friction.self-locking", ("drives", drive), data, severity="note"))
+    return found
