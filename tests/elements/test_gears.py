@@ -20,7 +20,7 @@ from linkwright.model.document import parse_document
 
 EXAMPLES = {
     name: YAML(typ="safe").load((Path(__file__).parents[2] / "examples" / f"{name}.yaml").read_text("utf-8"))
-    for name in ("planetary_train", "geared_five_bar", "cardan_gear", "rack_and_pinion", "rolling_wheel")
+    for name in ("planetary_train", "geared_five_bar", "cardan_gear", "rack_and_pinion", "rolling_wheel", "belt_drive")
 }
 PAIR = GEARS["pair"].data
 MESH = PAIR["joints"]["mesh"]
@@ -113,6 +113,26 @@ def test_wrong_rolling_is_told_by_code(code: str, changes: dict[str, Any]) -> No
     assert code in codes(data), codes(data)
 
 
+@pytest.mark.parametrize(
+    ("code", "changes"),
+    [
+        ("belt.size", {"radii": None}),
+        ("belt.size", {"teeth": [20, 40]}),
+        ("belt.friction", {"pretension": None}),
+        ("belt.distance", {"radii": [260, 150]}),
+        ("value.too-small", {"pretension": "0 N"}),
+        ("joint.carrier", {"carrier": "rod"}),
+        ("name.unknown-point", {"centres": ["O", "C"]}),
+        ("name.unknown", {"belt": ["pulley", "wheel"]}),
+    ],
+)
+def test_wrong_belts_are_told_by_code(code: str, changes: dict[str, Any]) -> None:
+    data = copy.deepcopy(EXAMPLES["belt_drive"])
+    entry = data["joints"]["drive"] | changes
+    data["joints"]["drive"] = {key: value for key, value in entry.items() if value is not None}
+    assert code in codes(data), codes(data)
+
+
 def test_right_entries_are_taken() -> None:
     assert refused() == []
     assert refused(module=4) == []
@@ -152,7 +172,20 @@ NASTY: list[Any] = [
     "z1",
 ]
 KEYS = ["gears", "centres", "carrier", "teeth", "radii", "module", "internal", "pressure_angle", "pin", "at"]
-KEYS += ["rack", "centre", "pitch_line", "radius", "rolling", "on_line", "on_circle"]
+KEYS += [
+    "belt",
+    "crossed",
+    "pretension",
+    "friction",
+    "pitch",
+    "rack",
+    "centre",
+    "pitch_line",
+    "radius",
+    "rolling",
+    "on_line",
+    "on_circle",
+]
 
 
 @pytest.mark.parametrize("seed", range(60))

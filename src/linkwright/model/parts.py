@@ -176,6 +176,7 @@ class Joint(Frozen):
     one_sided: ClassVar[Mapping[str, int]] = {}
     joins: ClassVar[Mapping[str, tuple[Expression, ...]]] = {}
     kinks: ClassVar[tuple[str, ...]] = ()
+    lifts: ClassVar[Mapping[str, str]] = {}
 
     @property
     def limits(self) -> Two | None:
