@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 from ruamel.yaml import YAML
 
-from elements.wheels import GEARS
-from helpers.outside import linkwright
+from elements.wheels import GEARS, RACKS
+from helpers.outside import linkwright, table
 from linkwright.compilation import compile_mechanism
 from linkwright.findings import ModelError
 from linkwright.model.document import parse_document
@@ -232,6 +232,34 @@ def test_accuracy_has_the_derivatives_of_gears(tmp_path: Path) -> None:
             difference = float(swept[key][1] - swept[key][0]) / (2 * h)
             every = {one["parameter"]: one["coefficient"] for one in slopes[measure]["contributors"]}
             assert every.get(name, 0.0) == pytest.approx(difference, rel=1e-5, abs=1e-6), (measure, name)
+
+
+@pytest.mark.parametrize("kind", ["gears", "ring", "rack"])
+def test_backlash_lets_a_wheel_hang_on_the_flank_that_bears(kind: str, tmp_path: Path) -> None:
+    """Half of the backlash over the radius of what follows, by the sign of the tangential force, which changes."""
+    case = {"gears": GEARS["pair"], "ring": GEARS["pair"], "rack": RACKS["above"]}[kind]
+    data = case.studied(accuracy={"outputs": ["wheel.angle"], "clearances": {"mesh": 0.05}, "samples": 0, "poses": 40})
+    radius = 0.06
+    if kind == "ring":  # the wheel as a ring about the pinion: 60 mm, its centre 30 mm away
+        data["joints"]["mesh"] |= {"internal": "wheel"}
+        data["links"]["frame"]["points"]["M"] = [30, 0]
+        data["assembly"]["W"] = [70, 0]
+        radius = -0.06
+    elif kind == "rack":  # the line runs to the left and the pinion lies on its right: x + s r theta, s = -1
+        data["studies"]["accuracy"]["outputs"], radius = ["pinion.angle"], -0.025
+    data["parameters"] = {"unused": {"value": 1, "tolerance": 0.1}}
+    summary(data, tmp_path / kind)
+    bands, _ = table(tmp_path / kind / "out" / "accuracy_bands.csv")
+    (head,) = (head for head in bands if "play shift" in head)
+    run, t = table(tmp_path / kind / "out" / "cycle.csv")
+    tangential = next(values for head, values in run.items() if head.startswith("mesh.tangential"))
+    assert tangential.min() < 0 < tangential.max()
+    clear = np.abs(tangential) > 1e-3 * np.abs(tangential).max()
+    expected = np.degrees(5e-5 * np.sign(tangential) / radius)
+    at = np.searchsorted(bands["t [s]"], t + 1e-9) - 1
+    same = clear & (np.abs(bands["t [s]"][at] - t) < 1e-9)
+    assert same.sum() > 10
+    assert bands[head][at][same] == pytest.approx(expected[same], rel=1e-9)
 
 
 def summary(data: Any, folder: Path) -> Any:

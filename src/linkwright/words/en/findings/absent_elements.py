@@ -10,7 +10,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     "element.clearance": (
         "'{name}': the joints of a model have no clearance.",
         "Give clearances in the accuracy study, for example 'studies: {{accuracy: {{clearances: {{B: 0.02 mm}}, "
-        "outputs: [...]}}}}'; see docs/how-to/clearances.md.",
+        "outputs: [...]}}}}'; see docs/how-to/clearances.md. Backlash is the clearance of gears.",
     ),
     "element.contact": (
         "'{name}': linkwright has no contacts and stops yet.",

@@ -9,7 +9,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     "element.clearance": (
         "“{name}”：模型中的运动副没有间隙。",
         "在 accuracy 分析中给出间隙，例如“studies: {{accuracy: {{clearances: {{B: 0.02 mm}}, outputs: [...]}}}}”；"
-        "见 docs/how-to/clearances.md。",
+        "见 docs/how-to/clearances.md。侧隙即齿轮副的间隙。",
     ),
     "element.contact": (
         "“{name}”：linkwright 尚不支持接触和限位。",
