@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import json
 import random
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -12,11 +13,18 @@ import numpy as np
 import pytest
 from ruamel.yaml import YAML
 
+import linkwright as lw
 from elements.wheels import GEARS, RACKS
 from helpers.outside import linkwright, table
 from linkwright.compilation import compile_mechanism
+from linkwright.elements.belt import InnerBelt
+from linkwright.elements.gears import InnerGears
+from linkwright.elements.pitch import InnerWheels
+from linkwright.elements.rack import InnerRack
+from linkwright.elements.rolling import OnLine
 from linkwright.findings import ModelError
 from linkwright.model.document import parse_document
+from linkwright.notation import Wrench
 
 EXAMPLES = {
     name: YAML(typ="safe").load((Path(__file__).parents[2] / "examples" / f"{name}.yaml").read_text("utf-8"))
@@ -260,6 +268,38 @@ def test_backlash_lets_a_wheel_hang_on_the_flank_that_bears(kind: str, tmp_path:
     same = clear & (np.abs(bands["t [s]"][at] - t) < 1e-9)
     assert same.sum() > 10
     assert bands[head][at][same] == pytest.approx(expected[same], rel=1e-9)
+
+
+WRONG: dict[str, tuple[str, type, str, Any]] = {
+    "a separating force too small": ("geared_five_bar", InnerGears, "besides", 0.9),
+    "a rack that pulls": ("rack_and_pinion", InnerRack, "besides", -1.0),
+    "strands too loose": ("belt_drive", InnerBelt, "besides", 0.5),
+    "gears that slip": ("geared_five_bar", InnerWheels, "gap", 1.001),
+    "a rack that slips": ("rack_and_pinion", InnerRack, "gap", 1.001),
+    "a wheel that slips": ("rolling_wheel", OnLine, "gap", 1.001),
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_the_certificate_fails_what_is_wrong(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It knows none of the closures and forces: those of another factor don't pass."""
+    example, cls, method, factor = WRONG[name]
+    right = getattr(cls, method)
+
+    def beside(self: Any, bodies: Any, multipliers: Any) -> list[Wrench]:
+        return [wrench.times(factor) for wrench in right(self, bodies, multipliers)]
+
+    def gap(self: Any, *bodies: Any) -> Any:
+        first = bodies[0]
+        assert first.angle is not None
+        return right(self, replace(first, angle=factor * first.angle, turn=first.turn * factor), *bodies[1:])
+
+    monkeypatch.setattr(cls, method, beside if method == "besides" else gap)
+    data = copy.deepcopy(EXAMPLES[example])
+    data.pop("require", None)
+    job = lw.run(lw.Document.model_validate(data))
+    assert job.exit_code == 1
+    assert "motion.unproven" in [finding["code"] for finding in job.summary["findings"]]
 
 
 def summary(data: Any, folder: Path) -> Any:
