@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import json
 import random
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -12,15 +13,22 @@ import numpy as np
 import pytest
 from ruamel.yaml import YAML
 
-from elements.wheels import GEARS
-from helpers.outside import linkwright
+import linkwright as lw
+from elements.wheels import GEARS, RACKS
+from helpers.outside import linkwright, table
 from linkwright.compilation import compile_mechanism
+from linkwright.elements.belt import InnerBelt
+from linkwright.elements.gears import InnerGears
+from linkwright.elements.pitch import InnerWheels
+from linkwright.elements.rack import InnerRack
+from linkwright.elements.rolling import OnLine
 from linkwright.findings import ModelError
 from linkwright.model.document import parse_document
+from linkwright.notation import Wrench
 
 EXAMPLES = {
     name: YAML(typ="safe").load((Path(__file__).parents[2] / "examples" / f"{name}.yaml").read_text("utf-8"))
-    for name in ("planetary_train", "geared_five_bar", "cardan_gear", "rack_and_pinion", "rolling_wheel")
+    for name in ("planetary_train", "geared_five_bar", "cardan_gear", "rack_and_pinion", "rolling_wheel", "belt_drive")
 }
 PAIR = GEARS["pair"].data
 MESH = PAIR["joints"]["mesh"]
@@ -113,6 +121,26 @@ def test_wrong_rolling_is_told_by_code(code: str, changes: dict[str, Any]) -> No
     assert code in codes(data), codes(data)
 
 
+@pytest.mark.parametrize(
+    ("code", "changes"),
+    [
+        ("belt.size", {"radii": None}),
+        ("belt.size", {"teeth": [20, 40]}),
+        ("belt.friction", {"pretension": None}),
+        ("belt.distance", {"radii": [260, 150]}),
+        ("value.too-small", {"pretension": "0 N"}),
+        ("joint.carrier", {"carrier": "rod"}),
+        ("name.unknown-point", {"centres": ["O", "C"]}),
+        ("name.unknown", {"belt": ["pulley", "wheel"]}),
+    ],
+)
+def test_wrong_belts_are_told_by_code(code: str, changes: dict[str, Any]) -> None:
+    data = copy.deepcopy(EXAMPLES["belt_drive"])
+    entry = data["joints"]["drive"] | changes
+    data["joints"]["drive"] = {key: value for key, value in entry.items() if value is not None}
+    assert code in codes(data), codes(data)
+
+
 def test_right_entries_are_taken() -> None:
     assert refused() == []
     assert refused(module=4) == []
@@ -152,7 +180,20 @@ NASTY: list[Any] = [
     "z1",
 ]
 KEYS = ["gears", "centres", "carrier", "teeth", "radii", "module", "internal", "pressure_angle", "pin", "at"]
-KEYS += ["rack", "centre", "pitch_line", "radius", "rolling", "on_line", "on_circle"]
+KEYS += [
+    "belt",
+    "crossed",
+    "pretension",
+    "friction",
+    "pitch",
+    "rack",
+    "centre",
+    "pitch_line",
+    "radius",
+    "rolling",
+    "on_line",
+    "on_circle",
+]
 
 
 @pytest.mark.parametrize("seed", range(60))
@@ -199,6 +240,66 @@ def test_accuracy_has_the_derivatives_of_gears(tmp_path: Path) -> None:
             difference = float(swept[key][1] - swept[key][0]) / (2 * h)
             every = {one["parameter"]: one["coefficient"] for one in slopes[measure]["contributors"]}
             assert every.get(name, 0.0) == pytest.approx(difference, rel=1e-5, abs=1e-6), (measure, name)
+
+
+@pytest.mark.parametrize("kind", ["gears", "ring", "rack"])
+def test_backlash_lets_a_wheel_hang_on_the_flank_that_bears(kind: str, tmp_path: Path) -> None:
+    """Half of the backlash over the radius of what follows, by the sign of the tangential force, which changes."""
+    case = {"gears": GEARS["pair"], "ring": GEARS["pair"], "rack": RACKS["above"]}[kind]
+    data = case.studied(accuracy={"outputs": ["wheel.angle"], "clearances": {"mesh": 0.05}, "samples": 0, "poses": 40})
+    radius = 0.06
+    if kind == "ring":  # the wheel as a ring about the pinion: 60 mm, its centre 30 mm away
+        data["joints"]["mesh"] |= {"internal": "wheel"}
+        data["links"]["frame"]["points"]["M"] = [30, 0]
+        data["assembly"]["W"] = [70, 0]
+        radius = -0.06
+    elif kind == "rack":  # the line runs to the left and the pinion lies on its right: x + s r theta, s = -1
+        data["studies"]["accuracy"]["outputs"], radius = ["pinion.angle"], -0.025
+    data["parameters"] = {"unused": {"value": 1, "tolerance": 0.1}}
+    summary(data, tmp_path / kind)
+    bands, _ = table(tmp_path / kind / "out" / "accuracy_bands.csv")
+    (head,) = (head for head in bands if "play shift" in head)
+    run, t = table(tmp_path / kind / "out" / "cycle.csv")
+    tangential = next(values for head, values in run.items() if head.startswith("mesh.tangential"))
+    assert tangential.min() < 0 < tangential.max()
+    clear = np.abs(tangential) > 1e-3 * np.abs(tangential).max()
+    expected = np.degrees(5e-5 * np.sign(tangential) / radius)
+    at = np.searchsorted(bands["t [s]"], t + 1e-9) - 1
+    same = clear & (np.abs(bands["t [s]"][at] - t) < 1e-9)
+    assert same.sum() > 10
+    assert bands[head][at][same] == pytest.approx(expected[same], rel=1e-9)
+
+
+WRONG: dict[str, tuple[str, type, str, Any]] = {
+    "a separating force too small": ("geared_five_bar", InnerGears, "besides", 0.9),
+    "a rack that pulls": ("rack_and_pinion", InnerRack, "besides", -1.0),
+    "strands too loose": ("belt_drive", InnerBelt, "besides", 0.5),
+    "gears that slip": ("geared_five_bar", InnerWheels, "gap", 1.001),
+    "a rack that slips": ("rack_and_pinion", InnerRack, "gap", 1.001),
+    "a wheel that slips": ("rolling_wheel", OnLine, "gap", 1.001),
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_the_certificate_fails_what_is_wrong(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It knows none of the closures and forces: those of another factor don't pass."""
+    example, cls, method, factor = WRONG[name]
+    right = getattr(cls, method)
+
+    def beside(self: Any, bodies: Any, multipliers: Any) -> list[Wrench]:
+        return [wrench.times(factor) for wrench in right(self, bodies, multipliers)]
+
+    def gap(self: Any, *bodies: Any) -> Any:
+        first = bodies[0]
+        assert first.angle is not None
+        return right(self, replace(first, angle=factor * first.angle, turn=first.turn * factor), *bodies[1:])
+
+    monkeypatch.setattr(cls, method, beside if method == "besides" else gap)
+    data = copy.deepcopy(EXAMPLES[example])
+    data.pop("require", None)
+    job = lw.run(lw.Document.model_validate(data))
+    assert job.exit_code == 1
+    assert "motion.unproven" in [finding["code"] for finding in job.summary["findings"]]
 
 
 def summary(data: Any, folder: Path) -> Any:

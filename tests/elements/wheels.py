@@ -471,3 +471,60 @@ def _wheel() -> Wheels:
 
 
 ROLLING = {"on the ground": _wheel(), "on a circle": _roller(inside=False), "in a ring": _roller(inside=True)}
+
+
+# Belts whose loose strand is slack: the tight one pulls along the line that touches both wheels.
+
+
+def strand(a: tuple[str, str], b: tuple[str, str], first: float, second: float) -> Contact:
+    """The strand to the left (flank 1) or right of the line of centres; ``second`` is negative for an open belt."""
+
+    def contact(oracle: Oracle, q: Array, flank: int) -> tuple[str, str, Array, Array]:
+        start, end = oracle.point(q, *a), oracle.point(q, *b)
+        size = float(np.hypot(*(end - start)))
+        lean = float(np.arcsin((first + second) / size))
+        along = (end - start) / size
+        c, s = np.cos(flank * (np.pi / 2 - lean)), np.sin(flank * (np.pi / 2 - lean))
+        out = np.array([c * along[0] - s * along[1], s * along[0] + c * along[1]])
+        place, other = start + first * out, end - second * out
+        return a[0], b[0], (other - place) / np.hypot(*(other - place)), place
+
+    return contact
+
+
+def belt(crossed: bool) -> Wheels:
+    """The pair of gears with a belt instead."""
+    data = pair()
+    data["links"]["frame"]["points"]["M"] = [150, 20]
+    data["joints"]["mesh"] = {"belt": ["pinion", "wheel"], "centres": ["O", "M"], "radii": [30, 60], "crossed": crossed}
+    data["assembly"]["W"] = [190, 20]
+    second = 0.06 if crossed else -0.06
+    start: Start = {"pinion": (0.0, 0.0, 0.0), "wheel": (0.15, 0.02, 0.0)}
+    ends = (("pinion", "O"), ("wheel", "M"), 0.03, second)
+    return Wheels(data, start, {"mesh": rolled("pinion", "wheel", "frame", 0.03, second)}, {"mesh": strand(*ends)})
+
+
+def _belt_on_an_arm() -> Wheels:
+    """A timing belt from a wheel that stands still to one on an arm that turns."""
+    data = {
+        "linkwright": 1,
+        "units": UNITS,
+        "gravity": [0, -9810],
+        "links": {
+            "frame": {"points": {"O": [0, 0]}},
+            "arm": body({"O": [0, 0], "P": [150, 0]}, 0.7, [70, 4], 3e3),
+            "hand": body({"P": [0, 0], "Q": [60, 0]}, 0.5, [30, 3], 4e2),
+        },
+        "joints": {
+            "mesh": {"belt": ["frame", "hand"], "centres": ["O", "P"], "carrier": "arm", "teeth": [40, 20], "pitch": 5}
+        },
+        "assembly": {"Q": [210, 0]},
+        "drives": {"motor": {"turns": "arm", "on": "frame", "speed": "60 rpm", "start": "0 deg"}},
+    }
+    first, second = 0.2 / (2 * np.pi), -0.1 / (2 * np.pi)
+    start: Start = {"arm": (0.0, 0.0, 0.0), "hand": (0.15, 0.0, 0.0)}
+    gap = rolled("frame", "hand", "arm", first, second)
+    return Wheels(data, start, {"mesh": gap}, {"mesh": strand(("frame", "O"), ("hand", "P"), first, second)})
+
+
+BELTS = {"open": belt(crossed=False), "crossed": belt(crossed=True), "on an arm": _belt_on_an_arm()}

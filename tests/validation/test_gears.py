@@ -197,3 +197,60 @@ def test_a_disc_on_a_slope_needs_a_third_of_its_slope() -> None:
     assert force == pytest.approx(0.0, abs=1e-9)
     assert normal == pytest.approx(3 * 9.80665 * np.cos(slope), rel=1e-12)
     assert np.abs(tangential) / normal == pytest.approx(np.tan(slope) / 3, rel=1e-9)
+
+
+def test_strands_of_a_belt_pull_along_lines_that_touch_both_wheels() -> None:
+    """Radii 50 and 150 mm at 400 mm: sin(beta) = 1/4; strands F0 + T/2 and F0 - T/2 (300 N at rest) as vectors."""
+    data = example("belt_drive")
+    names = ("left", "right", "tangential")
+    left, right, tangential = values(data, *(f"drive.{name}" for name in names))
+    x, y, torque = values(data, "force(frame, pulley).x", "force(frame, pulley).y", "motor.torque")
+    assert left + right == pytest.approx(600, rel=1e-12)
+    assert left - right == pytest.approx(tangential, abs=1e-9)
+    assert torque == pytest.approx(0.05 * tangential, abs=1e-12)  # the pulley turns evenly
+    cosine, sine = np.sqrt(15) / 4, 1 / 4
+    # From the small pulley the left strand rises to the large one, the right one falls; the bearing holds against both.
+    assert x == pytest.approx(-(left + right) * cosine, rel=1e-12)
+    assert y == pytest.approx(9.80665 - (left - right) * sine, rel=1e-9)
+
+
+def test_the_reserve_of_a_belt_is_that_to_eytelweins_limit() -> None:
+    """Where it is used up, the ratio of the strands is exp(mu phi), phi = pi - 2 beta on the small pulley."""
+    data = example("belt_drive")
+    limit = np.exp(0.4 * (np.pi - 2 * np.arcsin(1 / 4)))
+    reserve, left, right = values(data, "drive.reserve", "drive.left", "drive.right")
+    most = 600 * (limit - 1) / (limit + 1)
+    assert reserve == pytest.approx(most - np.abs(left - right), rel=1e-12)
+    assert (300 + most / 2) / (300 - most / 2) == pytest.approx(limit, rel=1e-12)
+
+
+@pytest.mark.parametrize(("pretension", "codes"), [(300, []), (50, ["belt.slips"]), (20, ["belt.slack", "belt.slips"])])
+def test_belts_that_slip_or_hang_are_warned_of(pretension: float, codes: list[str]) -> None:
+    data = example("belt_drive")
+    del data["require"]
+    data["joints"]["drive"]["pretension"] = f"{pretension} N"
+    job = lw.run(lw.Document.model_validate(data))
+    assert job.exit_code == 0
+    found = [finding["code"] for finding in job.summary["findings"]]
+    assert sorted({*found} & {"belt.slips", "belt.slack"}) == sorted(codes)
+
+
+def test_friction_in_bearings_counts_both_strands() -> None:
+    """A chain between equal wheels: the bearing carries |T|, so T r = M + mu rho |T|. No force is across, so the law of
+    the strands can't be read off the force."""
+    data = {
+        "linkwright": 1,
+        "units": UNITS,
+        "links": {
+            "frame": {"points": {"O": [0, 0], "M": [200, 0]}},
+            "first": {"points": {"O": [0, 0]}},
+            "second": {"points": {"M": [0, 0]}},
+        },
+        "joints": {"chain": {"belt": ["first", "second"], "centres": ["O", "M"], "radii": [40, 40]}},
+        "drives": {"motor": {"turns": "first", "on": "frame", "speed": "60 rpm", "start": "0 deg"}},
+        "loads": {"brake": {"on": "second", "torque": -8}},
+        "friction": {"bearing": {"pin": "M", "radius": 10, "coefficient": 0.2}},
+    }
+    tangential, moment = values(data, "chain.tangential", "bearing.moment")
+    assert tangential == pytest.approx(8 / (0.04 - 0.002), rel=1e-12)
+    assert np.abs(moment) == pytest.approx(0.002 * 8 / 0.038, rel=1e-12)

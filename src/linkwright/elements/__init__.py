@@ -1,6 +1,7 @@
 """The kinds of elements that a mechanism is made of, one file each, found by name."""
 
 from linkwright.elements import (  # noqa: F401  (each registers itself)
+    belt,
     cam_contact,
     counterweight,
     coupling,

@@ -54,6 +54,8 @@ class JointEntry(Frozen):
     """Whether reactions have a moment about the place at which they are stated."""
     follows: ClassVar[bool] = False
     """Whether it has a link follow a drive (:mod:`linkwright.elements.follower`): then structure has no joint there."""
+    lifts: ClassVar[Mapping[str, str]] = {}
+    """The codes of warnings where a signal of :attr:`one_sided` has the other sign, if it isn't that of contacts."""
     prismatic: ClassVar[None] = None
     revolute: ClassVar[None] = None
     line: ClassVar[None] = None

@@ -9,7 +9,8 @@ apart whichever way the torque acts (and a gear in a ring towards the ring's cen
 
 With teeth and module alpha_w follows from the reference pressure angle alpha and the centre distance of gears without
 profile shift a0 = module (z2 +- z1)/2: cos(alpha_w) = a0 cos(alpha)/a. Otherwise ``pressure_angle`` is alpha_w itself.
-There is no friction between the teeth, and no backlash: the torque may change its sign, but not the angle.
+There is no friction between the teeth. Backlash is a clearance of the accuracy study, half of it to either side along
+the pitch circles; motion and forces are those of teeth that bear on both flanks.
 
 Sources: ISO 21771 (2007; working pitch circles, working pressure angle); G. Niemann, H. Winter, Maschinenelemente II
 (2003), ch. 21; J. E. Shigley, C. R. Mischke, Mechanical Engineering Design, 5th ed. (1989), ch. 13 (forces of teeth).
@@ -24,6 +25,7 @@ from typing import Annotated, Any, ClassVar
 import numpy as np
 from pydantic import BeforeValidator
 
+from linkwright.elements.clearance import OnFlank, StatedClearance
 from linkwright.elements.entries import NumberFault, StatedPlaces
 from linkwright.elements.joint import Applied, Array, ContactReaction, JointGeometry, JointReports, register
 from linkwright.elements.pitch import InnerWheels, Pitch, TwoLinks, WheelsEntry, WheelsKind, across_line
@@ -176,7 +178,13 @@ class Gears(WheelsKind):
     name = "gears"
     letter = "G"
     entry = GearsEntry
+    plays = ()
     orders: ClassVar[Mapping[str, int]] = {**WheelsKind.orders, "separating": 2, "force": 2}
+
+    def play(self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: StatedClearance) -> list[OnFlank]:
+        """Backlash along the pitch circles: the first gear has run ahead of the second where it pushes that way."""
+        a, b = links[:2]
+        return [OnFlank(joint, (b, a), stated.clearance, f"{joint}.tangential")]
 
     def radii(self, geometry: JointGeometry, joint: str, distance: Scalar) -> tuple[Scalar, Scalar]:
         entry = geometry.mechanism.joints[joint]

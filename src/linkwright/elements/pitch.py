@@ -214,7 +214,8 @@ class WheelsKind(JointKind):
 
     def inner(self, geometry: JointGeometry, joint: str, links: Sequence[str]) -> InnerWheels:
         (constant,) = geometry.phases(joint) or (0.0,)
-        return self.closure(geometry, joint, self.pitch(geometry, joint), constant)
+        across = geometry.play(joint, "across")  # by which the first wheel has run ahead
+        return self.closure(geometry, joint, self.pitch(geometry, joint), constant + across)
 
     def phase(self, geometry: JointGeometry, joint: str, bodies: Mapping[str, Body]) -> tuple[float, ...]:
         inner = InnerWheels(self.pitch(geometry, joint), 0.0)

@@ -22,6 +22,7 @@ from typing import Annotated, Any, ClassVar, NamedTuple
 
 import numpy as np
 
+from linkwright.elements.clearance import OnFlank, StatedClearance
 from linkwright.elements.curves import Curve, polygon, spoked
 from linkwright.elements.entries import JointEntry, NumberFault, StatedPlaces
 from linkwright.elements.gears import EXACT, SHIFTED, VARIED, WHOLE
@@ -226,6 +227,7 @@ class Rack(JointKind):
     entry = RackEntry
     phased = True
     winds = True
+    plays = ()
     orders: ClassVar[Mapping[str, int]] = {"tangential": 2, "separating": 2, "force": 2, "speed": 1, "power": 2}
 
     def inner(self, geometry: JointGeometry, joint: str, links: Sequence[str]) -> InnerRack:
@@ -237,9 +239,14 @@ class Rack(JointKind):
             geometry.point(entry.rack[1], entry.pitch_line.point),
             unit_vector(geometry.number(entry.pitch_line.angle, u.ANGLE)),
             call("sign", away) * entry.pitch_radius(geometry),
-            constant,
+            constant + geometry.play(joint, "across"),
             call("tan", geometry.number(entry.pressure_angle, u.ANGLE)),
         )
+
+    def play(self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: StatedClearance) -> list[OnFlank]:
+        """Backlash along the line: the pinion has run ahead of the rack where it pushes that way."""
+        pinion, other = links
+        return [OnFlank(joint, (other, pinion), stated.clearance, f"{joint}.tangential")]
 
     def phase(self, geometry: JointGeometry, joint: str, bodies: Mapping[str, Body]) -> tuple[float, ...]:
         links = geometry.mechanism.joints[joint].links

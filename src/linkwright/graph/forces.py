@@ -124,13 +124,16 @@ def separating(motion: Motion) -> Iterator[Resisting]:
             ]
             if c.rows != 1 or all(is_zero(part) for _, unit in units for part in (*unit.force, unit.moment)):
                 continue
-            along = inner.actions(bodies, [1.0])[0].force
-            law, link = Resistance(1.0, 0.0), c.links[0]
+            unit, law, link = inner.actions(bodies, [1.0])[0], Resistance(1.0, 0.0), c.links[0]
 
             def seats(
-                reactions: Reactions, joint: str = c.joint, link: str = link, along: Pair = along
+                reactions: Reactions, joint: str = c.joint, link: str = link, unit: Wrench = unit
             ) -> list[tuple[Scalar, ...]]:
-                return [(reactions(joint, link).force.dot(along) / along.dot(along),)]
+                # The multiplier: its unit wrench is known, and reactions are multiples of it where nothing is beside.
+                found = reactions(joint, link)
+                one = unit.at(found.about)
+                size = one.force.dot(one.force) + one.moment * one.moment
+                return [((found.force.dot(one.force) + found.moment * one.moment) / size,)]
 
             yield Resisting(c.joint, units, law, seats)
 

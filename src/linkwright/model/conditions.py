@@ -134,7 +134,7 @@ class _Places:
 
     def text_of(self, value: Any, dimension: Dimension) -> str:
         unit, size = self.q.unit_of(dimension)
-        return f"{value / size:.6g} {unit}" if isinstance(value, int | float) else "-"
+        return f"{value / size:.6g} {unit}" if isinstance(value, int | float) else "…"
 
 
 def _elements(q: Quantities, values: Values, nominal: bool) -> Iterator[Condition]:

@@ -177,6 +177,7 @@ class Joint(Frozen):
     touching: ClassVar[None] = None
     joins: ClassVar[Mapping[str, tuple[Expression, ...]]] = {}
     kinks: ClassVar[tuple[str, ...]] = ()
+    lifts: ClassVar[Mapping[str, str]] = {}
 
     @property
     def limits(self) -> Two | None:

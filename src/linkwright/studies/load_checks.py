@@ -68,15 +68,18 @@ def contacts(run: Run) -> list[Finding]:
     """Warnings on contacts that would have to pull, and what kinds of followers find of themselves."""
     m, topology, findings = run.compiled.mechanism, run.compiled.structure.topology, list[Finding]()
     for name, follower in m.followers.items():
-        findings += _lifted(run, m.path_of(name), follower.one_sided, follower.title, follower.lifts)
+        codes = dict.fromkeys(follower.one_sided, follower.lifts)
+        findings += _lifted(run, m.path_of(name), follower.one_sided, follower.title, codes)
     for name, follower in m.followers.items():
         findings += follower.findings(RunMotion(run), m.path_of(name))
     for name, joint in m.joints_but_pins():
-        findings += _lifted(run, ("joints", name), joint.one_sided, topology.kind_of(name).title, "joint.lifts-off")
+        findings += _lifted(run, ("joints", name), joint.one_sided, topology.kind_of(name).title, joint.lifts)
     return findings
 
 
-def _lifted(run: Run, path: tuple[str, str], one_sided: Mapping[str, int], kind: Term, code: str) -> Iterator[Finding]:
+def _lifted(
+    run: Run, path: tuple[str, str], one_sided: Mapping[str, int], kind: Term, codes: Mapping[str, str]
+) -> Iterator[Finding]:
     """A warning for each contact of a joint whose links would have to pull each other, where they pull hardest."""
     for attribute, sign in one_sided.items():
         signal = f"{path[1]}.{attribute}"
@@ -86,7 +89,7 @@ def _lifted(run: Run, path: tuple[str, str], one_sided: Mapping[str, int], kind:
         if pull > NEAR * np.abs(force).max():
             unit, size = run.compiled.quantities.unit_of(run.dimension(signal))
             data = {"joint": path[1], "kind": kind, "force": f"{pull / size:.6g}", "of": unit}
-            yield finding_at(run, code, path, float(t[worst]), "warning", **data)
+            yield finding_at(run, codes.get(attribute, "joint.lifts-off"), path, float(t[worst]), "warning", **data)
 
 
 class RunMotion:

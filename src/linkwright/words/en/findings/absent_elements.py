@@ -2,15 +2,15 @@
 
 PROBLEMS: dict[str, tuple[str, str]] = {
     "element.belt": (
-        "'{name}': linkwright has no belts and chains yet.",
-        "A belt turns two links in the ratio of their radii. If one is driven, couple the other to it under joints: 'belt: "
-        "{{coupling: [pulley2, frame], follows: motor.angle*r1/r2}}'. The torque of the coupling is what the belt "
-        "transmits; the forces of its strands aren't computed.",
+        "'{name}': belts and chains are written under joints, as belt.",
+        "For example 'joints: {{drive: {{belt: [pulley, crank], centres: [O, A], radii: [50, 150], pretension: 300 N}}}}'; a chain "
+        "or toothed belt has teeth and pitch. Where only the ratio matters: '{{coupling: [pulley2, frame], follows: "
+        "motor.angle*r1/r2}}'.",
     ),
     "element.clearance": (
         "'{name}': the joints of a model have no clearance.",
         "Give clearances in the accuracy study, for example 'studies: {{accuracy: {{clearances: {{B: 0.02 mm}}, "
-        "outputs: [...]}}}}'; see docs/how-to/clearances.md.",
+        "outputs: [...]}}}}'; see docs/how-to/clearances.md. Backlash is the clearance of gears.",
     ),
     "element.contact": (
         "'{name}': linkwright has no contacts and stops yet.",

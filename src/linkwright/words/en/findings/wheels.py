@@ -72,4 +72,26 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "Change the radius (teeth, module), or the points of the line, of the guide and of the centre. With a module, profile "
         "shift may change the distance by at most one module.",
     ),
+    "belt.size": (
+        "A belt needs either the pitch radii of both wheels, or their teeth and the pitch; given: {given}.",
+        "For example radii: [30, 60], or for a toothed belt or a chain teeth: [20, 40] with pitch: 5 mm.",
+    ),
+    "belt.friction": (
+        "A coefficient of friction is given, but no pretension.",
+        "Add pretension, the force of each strand at standstill, for example 200 N; or remove friction.",
+    ),
+    "belt.distance": (
+        "The wheels overlap: their centre distance is {distance}, the sum of their radii {radii}.",
+        "Change radii (teeth, pitch) or the carrier's points at the centres.",
+    ),
+    "belt.slack": (
+        "A strand of {joint} ({kind}) becomes slack: it would have to push with {force} {of} at t = {time} s ({drive} = {value} "
+        "{unit}). From there on the forces aren't those of a belt.",
+        "Increase pretension; of a chain or toothed belt whose loose strand hangs, remove pretension.",
+    ),
+    "belt.slips": (
+        "The belt {joint} ({kind}) slips: it lacks {force} {of} of tangential force at t = {time} s ({drive} = {value} {unit}), "
+        "by Eytelwein's limit of both strands.",
+        "Increase pretension, or the angle of wrap, or use a belt with more friction.",
+    ),
 }

@@ -62,7 +62,7 @@ TEXTS: dict[str, str] = {
     "schema.AccuracyOptions.nonlinear": "the worst case is searched if the linear one deviates by more than this fraction of its width",
     "schema.Clearance": "The clearance of a joint. For a pin or a pin in a slot, usually written as the clearance alone.",
     "schema.Clearance.alone": "the clearance alone",
-    "schema.Clearance.clearance": "of a pin: radial, half the difference of the diameters; of a guide or a slot: half the total clearance across it",
+    "schema.Clearance.clearance": "of a pin: radial, half the difference of the diameters; of a guide or a slot: half the total clearance across it; of gears or a rack: half the backlash along the pitch circles",
     "schema.Clearance.length": "of a guide: distance of its two ends, where it bears",
     "schema.Clearance.centre": "of a guide: point in the middle of its length; default: the second line's point",
     "schema.Clearance.in": "link in which the pin is fixed, if it connects three links or more; default: floating pin",

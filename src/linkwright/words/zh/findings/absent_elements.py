@@ -2,14 +2,14 @@
 
 PROBLEMS: dict[str, tuple[str, str]] = {
     "element.belt": (
-        "“{name}”：linkwright 尚不支持带传动和链传动。",
-        "带传动使两个构件按半径之比转动。若其中一个由驱动带动，在 joints 中使另一个与之联动：“belt: {{coupling: [pulley2, frame], follows: "
-        "motor.angle*r1/r2}}”。联动的力矩即为带所传递的力矩；带两侧的拉力不作计算。",
+        "“{name}”：带和链传动在 joints 中以 belt 定义。",
+        "例如“joints: {{drive: {{belt: [pulley, crank], centres: [O, A], radii: [50, 150], pretension: 300 N}}}}”；链和同步带给出 teeth 和 pitch。"
+        "只关心传动比时可用联动：“{{coupling: [pulley2, frame], follows: motor.angle*r1/r2}}”。",
     ),
     "element.clearance": (
         "“{name}”：模型中的运动副没有间隙。",
         "在 accuracy 分析中给出间隙，例如“studies: {{accuracy: {{clearances: {{B: 0.02 mm}}, outputs: [...]}}}}”；"
-        "见 docs/how-to/clearances.md。",
+        "见 docs/how-to/clearances.md。侧隙即齿轮副的间隙。",
     ),
     "element.contact": (
         "“{name}”：linkwright 尚不支持接触和限位。",

@@ -65,4 +65,24 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "齿条不匹配：节线到小齿轮中心的距离为 {distance}，而节圆半径为 {radius}。",
         "修改半径（齿数、模数），或直线、导轨和中心的点。给出模数时，变位引起的距离变化最多为一个模数。",
     ),
+    "belt.size": (
+        "带传动必须给出两轮的节圆半径，或齿数和节距；已给出：{given}。",
+        "例如 radii: [30, 60]；同步带或链传动写 teeth: [20, 40] 与 pitch: 5 mm。",
+    ),
+    "belt.friction": (
+        "给出了摩擦系数，但没有预紧力。",
+        "增加 pretension，即静止时每边的力，例如 200 N；或删除 friction。",
+    ),
+    "belt.distance": (
+        "两轮重叠：中心距为 {distance}，半径之和为 {radii}。",
+        "修改 radii（齿数、节距）或行星架上两中心处的点。",
+    ),
+    "belt.slack": (
+        "{joint}（{kind}）的一边松弛：在 t = {time} s（{drive} = {value} {unit}）时，它需要承受 {force} {of} 的压力。此后的力不再是带的力。",
+        "增大预紧力 pretension；松边下垂的链或同步带请删除 pretension。",
+    ),
+    "belt.slips": (
+        "{joint}（{kind}）打滑：在 t = {time} s（{drive} = {value} {unit}）时，按欧拉公式的极限，切向力不足 {force} {of}。",
+        "增大预紧力或包角，或采用摩擦系数更大的带。",
+    ),
 }

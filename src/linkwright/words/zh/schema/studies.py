@@ -62,7 +62,7 @@ TEXTS: dict[str, str] = {
     "schema.AccuracyOptions.nonlinear": "线性极值的误差超过其宽度的该比例时，搜索实际极值",
     "schema.Clearance": "运动副的间隙。对转动副或销槽副，通常只写间隙。",
     "schema.Clearance.alone": "只写间隙",
-    "schema.Clearance.clearance": "转动副：半径间隙，即直径差的一半；导轨或槽：横向总间隙的一半",
+    "schema.Clearance.clearance": "转动副：半径间隙，即直径差的一半；导轨或槽：横向总间隙的一半；齿轮副或齿条副：沿节圆的侧隙的一半",
     "schema.Clearance.length": "导轨：两端支承处的距离",
     "schema.Clearance.centre": "导轨：其长度中点处的点；默认为第二条直线的点",
     "schema.Clearance.in": "连接三个或更多构件的销所固定的构件；默认为浮动销",
