@@ -269,7 +269,7 @@ class ForceKind(ABC, Generic[E]):
         raise NotImplementedError
 
     def moment_faults(self, path: Path, entry: E, known: bool) -> Iterator[Finding]:
-        """Of one that ``resists`` what is wrong where the moment of its joint's reaction is ``known``, or where it isn't:
+        """Of one that ``resists`` what is wrong where the moment of its joint's reaction is ``known``, or where not:
         in a loop of slides."""
         yield from ()
 
