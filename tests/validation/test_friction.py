@@ -184,3 +184,42 @@ def test_two_ways_to_jam() -> None:
         critical = 1.0 if not expected else math.sqrt(1 / (1 - 1 / (1 + 0.25)))
         assert critical / 3 <= share <= critical / 3 + 1 / 64
         assert meets(of) is expected
+
+
+@pytest.mark.parametrize("degrees", [15, 30])
+@pytest.mark.parametrize("mu", [0.05, 0.15])
+@pytest.mark.parametrize("ahead", [True, False])
+def test_a_wedge_press(degrees: float, mu: float, ahead: bool) -> None:
+    """A wedge between a base and a block on a wall, all three rubbing: P = Q tan(a + 2 phi) as it lifts the load Q, and
+    Q tan(a - 2 phi) as it yields, which is negative where the wedge locks itself (Beer, Johnston, Statics, ch. 8)."""
+    alpha, q = math.radians(degrees), 500.0
+    data = {
+        "linkwright": 1,
+        "units": {"length": "mm", "angle": "rad", "mass": "kg", "time": "s", "force": "N", "torque": "N*m"},
+        "links": {
+            "frame": {"points": {"O": [0, 0]}},
+            "wedge": {"points": {"D": [0, 0]}},
+            "block": {"points": {"S": [0, 0]}},
+        },
+        "joints": {
+            "base": {"prismatic": ["frame", "wedge"], "line": ["O at 0", "D at 0"]},
+            "face": {"prismatic": ["wedge", "block"], "line": [f"D at {math.pi - alpha}", f"S at {math.pi - alpha}"]},
+            "wall": {"prismatic": ["frame", "block"], "line": ["O at 90 deg", "S at 90 deg"]},
+        },
+        "drives": {"press": {"slides": "wedge", "on": "frame", "speed": 10 if ahead else -10, "start": 0}},
+        "loads": {"work": {"on": "block", "at": "S", "force": [0, -q]}},
+        "friction": {f"{name}_f": {"slide": name, "coefficient": mu} for name in ("base", "face", "wall")},
+    }
+    phi = math.atan(mu) * (1 if ahead else -1)
+    compiled = compiled_from(data)
+    (force,) = compiled.evaluate(["press.force"], np.array([0.1, 0.4]))
+    assert force == pytest.approx([q * math.tan(alpha + 2 * phi)] * 2, rel=1e-10)
+    study = {"cycle": {"duration": "1 s", "samples": 20}}
+    job = lw.run(lw.Document.model_validate(data | {"measures": {"eta": {"efficiency": ["work"]}}, "studies": study}))
+    assert job.cycle is not None and job.exit_code == 0
+    assert job.cycle.result.certificate.sound()
+    ideal, real = math.tan(alpha), math.tan(alpha + 2 * phi)
+    expected = ideal / real if ahead else real / ideal
+    assert job.cycle.measures[0].shown() == pytest.approx(expected, rel=1e-9)
+    locks = not ahead and alpha < 2 * math.atan(mu)
+    assert ("friction.self-locking" in [one.code for one in job.cycle.warnings]) is locks

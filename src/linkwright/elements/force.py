@@ -268,6 +268,11 @@ class ForceKind(ABC, Generic[E]):
         """Of one that ``resists`` the joint whose reactions it follows."""
         raise NotImplementedError
 
+    def moment_faults(self, path: Path, entry: E, known: bool) -> Iterator[Finding]:
+        """Of one that ``resists`` what is wrong where the moment of its joint's reaction is ``known``, or where not:
+        in a loop of slides."""
+        yield from ()
+
     def resistance(self, context: ForceContext, name: str, entry: E) -> Resistance:
         """Of one that ``resists``: how its effort (N or N m) follows from the sizes of its seats' forces."""
         raise NotImplementedError

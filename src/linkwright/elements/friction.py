@@ -3,7 +3,8 @@
 Coulomb's friction follows from the reaction that it helps to make. Its size is the coefficient times the sum of the
 forces with which the joint's seats press: a pin has one, which presses with the whole reaction and at the pin's radius
 (the circle of friction: Beer, Johnston, Vector Mechanics for Engineers: Statics, ch. 8), a guide of length l has
-its two ends, which press with N/2 + M/l and N/2 - M/l. The sum of these is the larger of |N| and 2 |M|/l.
+its two ends, which press with N/2 + M/l and N/2 - M/l. The sum of these is the larger of |N| and 2 |M|/l. In a loop of
+slides, as with wedges, statics doesn't know the moment, and the guide has one seat, which presses with N.
 
 A moment or force is positive where it drives the first link with the motion to the positive side; friction never does.
 """
@@ -47,8 +48,6 @@ from linkwright.notation.jets import call
 
 _PLACES = {"pin": ("in", "radius"), "slide": ("length",), "contact": ("radius",)}
 """Where there may be friction, and the keys that go with it."""
-_SIZES = {"pin": "radius", "slide": "length"}
-"""The size without which a coefficient means nothing."""
 
 
 def _sign_of_coefficient(context: Context) -> Sign:
@@ -90,9 +89,8 @@ class Friction(ForceEntry):
             yield "friction.stray", {"keys": Joined(strays)}
         if "coefficient" not in given and "viscous" not in given:
             yield "friction.law", {}
-        size = _SIZES.get(places[0])
-        if "coefficient" in given and size is not None and size not in given:
-            yield "friction.size", {"key": size}
+        if "coefficient" in given and "pin" in given and "radius" not in given:
+            yield "friction.size", {"key": "radius"}
 
     @property
     def turns(self) -> bool:
@@ -127,8 +125,11 @@ class Friction(ForceEntry):
 
 
 PIN_SIGNALS = {"omega": u.OMEGA, "moment": u.TORQUE, "power": u.POWER}
+LOOP_SIGNALS = {"v": u.SPEED, "force": u.FORCE, "normal": u.FORCE, "power": u.POWER}
 CONTACT_SIGNALS = {"v": u.SPEED, "force": u.FORCE, "power": u.POWER}
 SLIDE_SIGNALS = {"v": u.SPEED, "force": u.FORCE, "ahead": u.FORCE, "behind": u.FORCE, "power": u.POWER}
+SEATS = {"normal": 0, "ahead": 0, "behind": 1}
+"""The seat of a slide that a signal is of."""
 VAGUE = 1e-9
 """A speed below this share of the largest one has a sign that round-off may decide: there the report is believed."""
 
@@ -152,6 +153,8 @@ class Frictions(ForceKind[Friction]):
     def signals(self, entry: Friction) -> Mapping[str, Dimension]:
         if entry.contact is not None:
             return CONTACT_SIGNALS
+        if entry.slide is not None and entry.length is None:
+            return LOOP_SIGNALS
         return PIN_SIGNALS if entry.turns else SLIDE_SIGNALS
 
     def effort(self, entry: Friction) -> str:
@@ -180,7 +183,8 @@ class Frictions(ForceKind[Friction]):
     def breaks(self, name: str, entry: Friction, bind: Any) -> Iterator[Break]:
         if entry.coefficient is not None:
             yield Break(Signal(f"{name}.{entry.rate}"), jumps=True)
-            forces = [f"{name}.{end}" for end in ("ahead", "behind") if entry.slide is not None]
+            ends = ("normal",) if entry.length is None else ("ahead", "behind")
+            forces = [f"{name}.{end}" for end in ends if entry.slide is not None]
             forces += [f"{entry.contact}.force"] if entry.contact is not None else []
             for force in forces:
                 yield Break(Signal(force), jumps=False)
@@ -189,6 +193,14 @@ class Frictions(ForceKind[Friction]):
 
     def rubs_in(self, entry: Friction) -> str:
         return entry.joint
+
+    def moment_faults(self, path: Path, entry: Friction, known: bool) -> Iterator[Finding]:
+        if entry.slide is None:
+            return
+        if not known and entry.length is not None:
+            yield Finding("friction.loop", (*path, "length"), {"joint": entry.joint})
+        elif known and entry.length is None and entry.coefficient is not None:
+            yield Finding("friction.size", path, {"key": "length"})
 
     def resistance(self, context: ForceContext, name: str, entry: Friction) -> Resistance:
         speed = _speed(context, entry)
@@ -205,10 +217,10 @@ class Frictions(ForceKind[Friction]):
             return [(wrench.force.x, wrench.force.y)]
         if entry.contact is not None:
             return [(context.touch(entry.contact).normal.dot(wrench.force),)]
-        if entry.length is None:
-            return []
         first = mechanism.joints[entry.joint].links[0]
         across = context.bodies[first].direction(context.geometry.line(entry.joint, first)[1]).perp.now
+        if entry.length is None:
+            return [(across.dot(wrench.force),)]
         half, turning = across.dot(wrench.force) * 0.5, wrench.moment / _number(context, entry, "length")
         return [(half + turning,), (half - turning,)]
 
@@ -234,9 +246,8 @@ class Frictions(ForceKind[Friction]):
     def signal(self, context: ForceContext, name: str, entry: Friction, attribute: str) -> Scalar:
         if attribute == entry.rate:
             return _speed(context, entry)
-        if attribute in ("ahead", "behind"):
-            seats = self.seats(context, name, entry, context.reaction)
-            return seats[("ahead", "behind").index(attribute)][0] if seats else 0.0
+        if attribute in SEATS:
+            return self.seats(context, name, entry, context.reaction)[SEATS[attribute]][0]
         effort = context.effort(name)
         return effort * _speed(context, entry) if attribute == "power" else effort
 
@@ -314,9 +325,11 @@ def _pressing(reports: ForceReports, entry: Friction) -> Array:
     force, moment = reports.reaction(Reacting(entry.joint, link, on if alone else entry.joint))
     if entry.turns:
         return np.asarray(np.hypot(*force))
-    assert entry.length is not None
     across = np.array([[0.0, -1.0], [1.0, 0.0]]) @ reports.line(entry.joint, on)[1]
-    normal, length = (force * across).sum(axis=0), float(reports.geometry.number(entry.length, u.LENGTH))
+    normal = (force * across).sum(axis=0)
+    if entry.length is None:
+        return np.asarray(np.abs(normal))
+    length = float(reports.geometry.number(entry.length, u.LENGTH))
     return np.asarray(np.maximum(np.abs(normal), 2 * np.abs(moment) / length))
 
 

@@ -149,8 +149,7 @@ def _resisting(m: Mechanism) -> Iterator[Finding]:
     for one in (one for one in m.acting() if one.kind.resists):
         if not m.drives:
             yield Finding("friction.still", one.path)
-        if (joint := one.kind.rubs_in(one.entry)) in in_loops(m):
-            yield Finding("friction.loop", one.path, {"joint": joint})
+        yield from one.kind.moment_faults(one.path, one.entry, one.kind.rubs_in(one.entry) not in in_loops(m))
         for name, follower in m.followers.items():
             if follower.has_second_contact:
                 yield Finding("friction.second-contact", one.path, {"name": name})

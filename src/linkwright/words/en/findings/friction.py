@@ -31,9 +31,9 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "Name two different links.",
     ),
     "friction.loop": (
-        "Friction in the slide {joint} can't be computed: it is in a loop of slides, whose moments statics doesn't "
-        "determine.",
-        "Put the friction into other joints, or apply a force of known size as a load.",
+        "The slide {joint} is in a loop of slides, whose moments statics doesn't determine, so its friction can't depend on the "
+        "length of a guide.",
+        "Remove length: the slide then rubs by its normal force alone, as wedges do.",
     ),
     "friction.second-contact": (
         "Friction can't be computed together with {name}, whose follower has contact on two sides.",

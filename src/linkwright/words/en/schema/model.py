@@ -235,7 +235,7 @@ TEXTS: dict[str, str] = {
     "schema.Friction.contact": "contact with friction: the name of a cam or of a pin in a slot; a roller rubs at its pin",
     "schema.Friction.in": "pin: [link, link on whose side the pin is fixed]; required if more than two links share the pin",
     "schema.Friction.radius": "pin: radius at which its bearing rubs; contact: radius of the roller's pin",
-    "schema.Friction.length": "slide: length of the guide, centred at the second link's point of the line; its two ends carry force and moment",
+    "schema.Friction.length": "slide: length of the guide, centred at the second link's point of the line; its two ends carry force and moment; none in a loop of slides",
     "schema.Friction.coefficient": "coefficient of Coulomb friction; a number, or an expression of t, tables and the motion",
     "schema.Friction.viscous": "viscous friction: moment over angular speed, or force over speed",
     # Measures.

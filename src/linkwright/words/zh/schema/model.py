@@ -235,7 +235,7 @@ TEXTS: dict[str, str] = {
     "schema.Friction.contact": "有摩擦的接触：凸轮或槽中销的名称；滚子在其销轴处摩擦",
     "schema.Friction.in": "转动副：[构件, 销轴所固定的构件]；两个以上构件共用销轴时必须给出",
     "schema.Friction.radius": "转动副：轴承的摩擦半径；接触：滚子销轴的半径",
-    "schema.Friction.length": "移动副：导轨长度，以第二构件的直线上的点为中心；力和力矩由其两端承受",
+    "schema.Friction.length": "移动副：导轨长度，以第二构件的直线上的点为中心；力和力矩由其两端承受；移动副的环中不给出",
     "schema.Friction.coefficient": "库仑摩擦系数：一个数，或 t、表和运动的表达式",
     "schema.Friction.viscous": "粘性摩擦：力矩与角速度之比，或力与速度之比",
     # Measures.
