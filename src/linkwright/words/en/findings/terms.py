@@ -23,6 +23,7 @@ TERMS: dict[str, str] = {
     "outline-few": "at least three different points are needed, each once",
     "outline-crossed": "the lines between them cross, or all points are collinear",
     "direction": "three numbers [x, y, z], not all zero",
+    "side-of": "'left of A-B' or 'right of A-B'",
     "position": "[x, y] or 'r at angle'",
     "place": "a point of the link, [x, y] or 'r at angle'",
     "line": "a line such as 'G at 90 deg'",

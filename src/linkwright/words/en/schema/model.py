@@ -59,7 +59,10 @@ TEXTS: dict[str, str] = {
     "schema.Plane.within": "permissible distance of pinned points from the plane; a larger one is an error",
     # Links, joints and cylinders.
     "schema.Link": "A rigid link: its points in its own coordinate system, and its mass, if any.",
-    "schema.Link.points": "named points, [x, y] or 'r at angle' in the link's coordinate system, or a list of names of sketched points; a name that several links share is a pin between them",
+    "schema.Link.points": "named points, [x, y] or 'r at angle' in the link's coordinate system, or distances from two other points, or a list of names of sketched points; a name that several links share is a pin between them",
+    "schema.ByDistances": "A point of a link by its distances from two others of it, and its side.",
+    "schema.ByDistances.from": "the two other points of the link, each with the distance from it",
+    "schema.ByDistances.side": "'left of A-B' or 'right of A-B', seen from the first point to the second",
     "schema.Link.mass": "mass; with com and inertia, or with shape",
     "schema.Link.com": "centre of mass in the link's coordinate system",
     "schema.Link.inertia": "moment of inertia about the centre of mass",

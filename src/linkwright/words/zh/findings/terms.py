@@ -23,6 +23,7 @@ TERMS: dict[str, str] = {
     "outline-few": "至少需要三个互不重合的点，且每个点只给一次",
     "outline-crossed": "各点之间的连线相交，或所有点共线",
     "direction": "不全为零的三个数 [x, y, z]",
+    "side-of": "“left of A-B”（左侧）或“right of A-B”（右侧）",
     "position": "[x, y] 或“r at angle”",
     "place": "构件上的一点，即 [x, y] 或“r at angle”",
     "line": "直线，例如“G at 90 deg”",

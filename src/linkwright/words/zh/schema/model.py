@@ -59,7 +59,10 @@ TEXTS: dict[str, str] = {
     "schema.Plane.within": "铰接点到平面的允许距离；超出时为错误",
     # Links, joints and cylinders.
     "schema.Link": "刚性构件：各点在其自身坐标系中的位置，以及质量（如有）。",
-    "schema.Link.points": "有名称的点，在构件坐标系中以 [x, y] 或“r at angle”给出，或为草图中点的名称列表；几个构件共有的名称即为它们之间的转动副",
+    "schema.Link.points": "有名称的点，在构件坐标系中以 [x, y] 或“r at angle”给出，或以到另外两点的距离给出，或为草图中点的名称列表；几个构件共有的名称即为它们之间的转动副",
+    "schema.ByDistances": "构件上的点，由其到该构件另外两点的距离及所在一侧确定。",
+    "schema.ByDistances.from": "该构件的另外两点，各带到该点的距离",
+    "schema.ByDistances.side": "“left of A-B”或“right of A-B”，从第一点向第二点看",
     "schema.Link.mass": "质量；与 com 和 inertia 或与 shape 一起给出",
     "schema.Link.com": "质心在构件坐标系中的位置",
     "schema.Link.inertia": "绕质心的转动惯量",
