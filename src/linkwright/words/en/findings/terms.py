@@ -42,6 +42,7 @@ TERMS: dict[str, str] = {
     "kind-revolute": "pin",
     "kind-prismatic": "prismatic joint",
     "kind-coupling": "coupling",
+    "kind-weld": "weld",
     "kind-pin_in_slot": "pin in a slot",
     "kind-cam": "cam",
     "slot-place": "[ALONG, ACROSS]",

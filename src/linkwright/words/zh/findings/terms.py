@@ -42,6 +42,7 @@ TERMS: dict[str, str] = {
     "kind-revolute": "转动副",
     "kind-prismatic": "移动副",
     "kind-coupling": "联动",
+    "kind-weld": "焊接",
     "kind-pin_in_slot": "销槽副",
     "kind-cam": "凸轮副",
     "slot-place": "[ALONG, ACROSS]（沿槽向、垂直于槽向的坐标）",
