@@ -138,3 +138,26 @@ def test_mutated_examples_end_in_findings(seed: int) -> None:
         assert isinstance(document, Document)
         for finding in located(examine(document, FILE.parent)[1], source):
             assert finding.what
+
+
+def test_a_rod_cut_in_its_middle_is_the_rod() -> None:
+    """A coupler as two welded halves is still a dyad in closed form; the moment there is that of a beam by statics."""
+    whole = model()
+    del whole["links"]["bracket"], whole["joints"], whole["counterweights"], whole["loads"]
+    del whole["links"]["coupler"]["points"]["W"]
+    cut = {**whole, "links": {name: dict(link) for name, link in whole["links"].items()}}
+    half = {"mass": 0.75, "com": [45, 0], "inertia": 0.75 * 90**2 / 12}
+    cut["links"]["coupler"] = {"points": {"B": [0, 0], "W": [90, 0]}, **half}
+    cut["links"]["beyond"] = {"points": {"W": [0, 0], "C": [90, 0]}, **half}
+    cut["joints"] = {"seam": {"weld": ["beyond", "coupler"], "angle": 0}}
+    compiled = compiled_from(cut)
+    assert not [step for step in compiled.structure.steps if type(step).__name__ == "HigherGroup"]
+    names = ["C.x", "C.ay", "rocker.omega", "motor.torque"]
+    found, expected = rows(cut, names), rows(whole, names)
+    assert np.abs(found - expected).max() <= 1e-11 * np.abs(expected).max()
+    motion = rows(whole, ["B.ax", "B.ay", "coupler.angle", "coupler.omega", "coupler.alpha"])
+    (ax, ay, angle, omega, alpha), pin = motion, rows(whole, [f"force(rocker, coupler).{axis}" for axis in "xy"])
+    ray, left = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
+    centre = np.array([ax, ay + 9.80665]) + 0.135 * (alpha * left - omega**2 * ray)
+    moment = 0.75 * (0.045 * cross(ray, centre) + 0.09**2 / 12 * alpha) - 0.09 * cross(ray, pin)
+    assert np.abs(rows(cut, ["seam.torque"])[0] - moment).max() < 1e-10 * np.abs(moment).max()
