@@ -52,6 +52,7 @@ TITLES = {
     "name": "Names",
     "signal": "Signals",
     "model": "The model as a whole",
+    "triangle": "Points by two distances",
     "mass": "Masses",
     "element": "Elements that aren't supported or have another name",
     "joint": "Joints",

@@ -14,6 +14,7 @@ from linkwright.elements import (  # noqa: F401  (each registers itself)
     rolling,
     slide,
     spring,
+    weld,
 )
 from linkwright.elements.force import FORCES, ForceContext, ForceKind, ForceReports
 from linkwright.elements.joint import KINDS, STILL, Inner, JointGeometry, JointKind, Outer, Twist, kind, register

@@ -14,7 +14,7 @@ from linkwright.expressions.language import ExpressionError, Node, Number, parse
 from linkwright.expressions.parser import reads
 from linkwright.expressions.respelled import syntax_fault
 from linkwright.expressions.typed_fields import Quantity, Ref, Sign
-from linkwright.expressions.units import ANGLE, LENGTH
+from linkwright.expressions.units import ANGLE, LENGTH, Dimension
 from linkwright.expressions.written import (
     MAX_NAME,
     Frozen,
@@ -30,8 +30,11 @@ from linkwright.expressions.written import (
     unexpected,
 )
 from linkwright.findings import Term
+from linkwright.notation import Pair, Scalar
+from linkwright.notation.planar import unit_vector
 
 __all__ = [
+    "TWO_POINTS",
     "AssemblyRule",
     "Expression",
     "Frozen",
@@ -39,6 +42,7 @@ __all__ = [
     "LineOn",
     "LongText",
     "Name",
+    "Names",
     "Place",
     "Position",
     "Requirement",
@@ -170,6 +174,14 @@ class Position(Written):
     def part_names(self) -> tuple[str, ...]:
         return ("radius", "angle") if self.polar else ("x", "y")
 
+    def coordinates(self, number: Callable[[Expression, Dimension], Scalar], point: Callable[[str], Pair]) -> Pair:
+        """The coordinates (m) that it states; ``number`` gives values in SI, ``point`` other points of the link."""
+        first = number(self.first, LENGTH)
+        if not self.polar:
+            return Pair(first, number(self.second, LENGTH))
+        heading = unit_vector(number(self.second, ANGLE))
+        return Pair(first * heading.x, first * heading.y)
+
 
 class Place(Position):
     """The place of a point of a sketch: as a position, or ``[x, y, z]`` in the vehicle's axes."""
@@ -229,7 +241,7 @@ class LineOn(Written):
         return ((self.point, None),)
 
 
-_TWO = r"\s+(?!of\b)(\w+)\s*(?:-|–|,|\s|\band\b|\bto\b)\s*(\w+)"
+TWO_POINTS = r"\s+(?!of\b)(\w+)\s*(?:-|–|,|\s|\band\b|\bto\b)\s*(\w+)"
 """Two points in other spellings of A-B."""
 _LINE = r"在?\s*(\w+?)\s*-\s*(\w+?)\s*的?"
 """A line in Chinese: B-D的."""
@@ -241,7 +253,7 @@ class Shape(Written):
     __slots__ = ("form", "points", "radius")
     json_type = {"type": "string", "pattern": "^\\s*(rod|disc|point) "}
     spellings = {
-        rf"(?i:rod|bar|beam|link|stick|匀质杆|均质杆|细杆|杆){_TWO}": r"rod \1-\2",
+        rf"(?i:rod|bar|beam|link|stick|匀质杆|均质杆|细杆|杆){TWO_POINTS}": r"rod \1-\2",
         r"(?i:disc|disk|wheel|cylinder|圆盘|盘)\s+(\S.*?)\s+(?:at|in|on|@)\s+(\w+)": r"disc \1 at \2",
         r"(?i:point|mass|particle|质点|点)(?:\s+mass)?\s+(?:at\s+)?(\w+)": r"point \1",
     }
@@ -279,8 +291,8 @@ class AssemblyRule(Written):
         ]
     }
     spellings = {
-        rf"(?i:left|左)(?:\s+of)?{_TWO}": r"left of \1-\2",
-        rf"(?i:right|右)(?:\s+of)?{_TWO}": r"right of \1-\2",
+        rf"(?i:left|左)(?:\s+of)?{TWO_POINTS}": r"left of \1-\2",
+        rf"(?i:right|右)(?:\s+of)?{TWO_POINTS}": r"right of \1-\2",
         rf"{_LINE}左[侧边面]?": r"left of \1-\2",
         rf"{_LINE}右[侧边面]?": r"right of \1-\2",
         r"(?i:open|opened)|开式|不交叉": "open",

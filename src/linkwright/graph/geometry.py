@@ -55,17 +55,14 @@ class Geometry:
 
     def position(self, position: Position) -> Pair:
         """Coordinates in a link's frame (m)."""
-        first = self.number(position.first, u.LENGTH)
-        if not position.polar:
-            return Pair(first, self.number(position.second, u.LENGTH))
-        heading = self._heading(position.second)
-        return Pair(first * heading.x, first * heading.y)
+        return position.coordinates(self.number, _no_other)
 
     def point(self, link: str, name: str) -> Pair:
         """A named point of a link in its frame (m)."""
         key = (link, name)
         if key not in self._points:
-            self._points[key] = self.position(self.mechanism.links[link].points[name])
+            at = self.mechanism.links[link].points[name]
+            self._points[key] = at.coordinates(self.number, lambda other: self.point(link, other))
         return self._points[key]
 
     def line(self, joint: str, link: str) -> tuple[Pair, Pair]:
@@ -162,6 +159,10 @@ class Geometry:
         if isinstance(at, Position):
             return self.position(at)
         return self.point(link, at) if at else ZERO
+
+
+def _no_other(name: str) -> Pair:
+    raise KeyError(name)  # only a link's points are stated by others of it
 
 
 def extent(topology: Topology, geometry: Geometry) -> float:

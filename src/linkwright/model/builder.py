@@ -90,6 +90,11 @@ class Builder:
         """A pin between points of different names: of each of two links its name and its point."""
         return self._add_entry("joints", name, {"revolute": [first[0], second[0]], "at": [first[1], second[1]]})
 
+    def weld(self, name: str, link: str, on: str, angle: Any) -> Self:
+        """A weld of ``link`` onto ``on`` at the pin that they share; ``angle`` is that of the first link against
+        the second, by their x axes."""
+        return self._add_entry("joints", name, {"weld": [link, on], "angle": angle})
+
     def pin_in_slot(self, name: str, first: tuple[str, str], second: str, **slot: Any) -> Self:
         """A pin in a slot: the link that has the pin and its point, and the slotted link; ``slot`` has the keys of a
         file, such as ``straight="C at 0 deg"`` or ``arc={"centre": "M", "radius": 50}``, ``flank`` and ``travel``."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
+from linkwright.elements.distances import circular
 from linkwright.elements.entries import NOUNS, JointEntry
 from linkwright.elements.points import links_of_points
 from linkwright.expressions.language import FUNCTIONS
@@ -53,6 +54,8 @@ def _links(m: Mechanism) -> Iterator[Finding]:
     for name, link in m.links.items():
         if not link.points:
             yield Finding("model.no-points", ("links", name), {"name": name})
+        for point in circular(link.points):
+            yield Finding("triangle.circular", ("links", name, "points", point), {"point": point, "link": name})
 
 
 def _collisions(m: Mechanism) -> Iterator[Finding]:

@@ -8,23 +8,24 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
 from itertools import chain
 from typing import Any
 
 import numpy as np
 
+from linkwright.elements.distances import ByDistances, placed
 from linkwright.elements.entries import NumberFault
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Name
 from linkwright.expressions.typed_fields import Ends, Sign
-from linkwright.expressions.units import Dimension
-from linkwright.findings import Finding, Term
-from linkwright.model.places import ExpressionPlace, Scope, position_parts
+from linkwright.expressions.units import LENGTH, Dimension
+from linkwright.findings import Finding, Joined, Term
+from linkwright.model.places import ExpressionPlace, Scope
 from linkwright.model.quantities import LARGEST, Quantities
 from linkwright.model.walk import QuantityPlace
 from linkwright.notation import Pair
-from linkwright.notation.planar import unit_vector
 
 CONSTANT = (Scope.CONSTANT, Scope.LOAD)
 """Where constants stand; a load may vary, and is then looked at while it moves."""
@@ -75,7 +76,7 @@ def conditions(q: Quantities, values: Values, nominal: bool = False) -> Iterator
     stated = [site for site in q.fields if isinstance(site, QuantityPlace)]
     signs = (one for site in stated for one in signed(q, values, site))
     intervals = (one for site in stated for one in _interval(q, values, site))
-    return chain(signs, _elements(q, values, nominal), _rods(q, values), intervals)
+    return chain(signs, _triangles(q, values), _elements(q, values, nominal), _rods(q, values), intervals)
 
 
 def _finite(q: Quantities, values: Values, place: ExpressionPlace) -> Condition | None:
@@ -125,12 +126,8 @@ class _Places:
         return self.values(expression, dimension)
 
     def point(self, link: str, name: str) -> Pair:
-        position = self.q.mechanism.links[link].points[name]
-        first, second = (self.values(*part) for part in position_parts(position))
-        if not position.polar:
-            return Pair(first, second)
-        heading = unit_vector(second)
-        return Pair(first * heading.x, first * heading.y)
+        found: Pair = self.q.mechanism.links[link].place(self.values, name)
+        return found
 
     def text_of(self, value: Any, dimension: Dimension) -> str:
         unit, size = self.q.unit_of(dimension)
@@ -154,16 +151,33 @@ def _rods(q: Quantities, values: Values) -> Iterator[Condition]:
     """That the ends of a rod are two places."""
     for name, link in q.mechanism.links.items():
         if link.shape and link.shape.form == "rod" and all(point in link.points for point in link.shape.points):
-            ends = [
-                [values(expression, dimension) for expression, dimension in position_parts(link.points[point])]
-                for point in link.shape.points
-            ]
-            if len({link.points[point].polar for point in link.shape.points}) == 1:
-                apart = sum(abs(a - b) for a, b in zip(*ends, strict=True))
-                points = "-".join(link.shape.points)
-                yield Condition(
-                    apart, Sign.POSITIVE, Finding("value.rod", ("links", name, "shape"), {"points": points})
-                )
+            if not all(placed(link.points, point) for point in link.shape.points):
+                continue
+            start, end = (link.place(values, point) for point in link.shape.points)
+            apart = abs(end.x - start.x) + abs(end.y - start.y)
+            points = "-".join(link.shape.points)
+            yield Condition(apart, Sign.POSITIVE, Finding("value.rod", ("links", name, "shape"), {"points": points}))
+
+
+def _triangles(q: Quantities, values: Values) -> Iterator[Condition]:
+    """That there are triangles with the sides by which points of links are stated."""
+    unit, size = q.unit_of(LENGTH)
+    for name, link in q.mechanism.links.items():
+        for point, at in link.points.items():
+            if not isinstance(at, ByDistances) or not placed(link.points, point):
+                continue
+            path, (first, second) = ("links", name, "points", point), at.side.points
+            sides, slacks = at.triangle(values, partial(link.place, values))
+            ends = ((point, first), (point, second), (first, second))
+            shown = Joined(f"{p}-{q} = {_number(side / size)} {unit}" for (p, q), side in zip(ends, sides, strict=True))
+            data = {"point": point, "link": name, "sides": shown, "unit": unit, "value": ""}
+            for slack in slacks:
+                yield Condition(slack, Sign.POSITIVE, Finding("triangle.impossible", path, data), size)
+
+
+def _number(value: Any) -> str:
+    """A number as text; a mark of many samples, or of a symbol."""
+    return f"{value:.6g}" if isinstance(value, float) else "…"
 
 
 def varying_conditions(q: Quantities, values: Values, varies: Callable[[Any], bool]) -> list[Condition]:

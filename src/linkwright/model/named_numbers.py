@@ -12,7 +12,7 @@ from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from linkwright.expressions.fields import Expression
+from linkwright.expressions.fields import Expression, Position
 from linkwright.expressions.language import Name, nodes
 from linkwright.expressions.typed_fields import Context, Path, Sign
 from linkwright.expressions.units import Dimension
@@ -141,7 +141,8 @@ def _gauges(m: Mechanism) -> set[Path]:
     found: set[Path] = set()
     turned: set[str] = set()  # links whose x axis goes through no second point
     for name, link in m.links.items():
-        flat = {point: at for point, at in link.points.items() if not at.sketched and _is_zero(at.second)}
+        stated = {point: at for point, at in link.points.items() if isinstance(at, Position)}
+        flat = {point: at for point, at in stated.items() if not at.sketched and _is_zero(at.second)}
         origin = next((point for point, at in flat.items() if _is_zero(at.first)), None)
         if name == FRAME or origin is None:
             continue

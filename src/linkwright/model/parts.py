@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import (
     BeforeValidator,
+    Discriminator,
     Field,
     GetJsonSchemaHandler,
     PlainSerializer,
+    Tag,
 )
 from pydantic_core import CoreSchema
 
+from linkwright.elements.distances import ByDistances
 from linkwright.elements.entries import NumberFault
 from linkwright.elements.fields import (
     INERTIA,
@@ -37,6 +40,7 @@ from linkwright.expressions.typed_fields import Ends, Quantity, Ref, Sign, of_pa
 from linkwright.expressions.written import Fault, Shortened, plain_number, unexpected
 from linkwright.findings import Joined
 from linkwright.model.tolerances import Tolerance
+from linkwright.notation import Pair, Scalar
 
 
 class Units(Frozen):
@@ -104,7 +108,18 @@ def _named(raw: Any) -> Any:
     return dict.fromkeys(raw, "sketch")
 
 
-def _points_as_written(points: Mapping[str, Position]) -> Any:
+def _way(raw: Any) -> str:
+    """The branch of a place's union, by its looks: a mapping states distances, unless it is of ``x`` and ``y``."""
+    stated = isinstance(raw, Mapping) and not raw.keys() <= {"x", "y"}
+    return "distances" if stated or isinstance(raw, ByDistances) else "position"
+
+
+PlaceOnLink = Annotated[
+    Annotated[Position, Tag("position")] | Annotated[ByDistances, Tag("distances")], Discriminator(_way)
+]
+
+
+def _points_as_written(points: Mapping[str, PlaceOnLink]) -> Any:
     by_name = points and all(place.sketched for place in points.values())
     return [*points] if by_name else {name: place.raw for name, place in points.items()}
 
@@ -118,7 +133,7 @@ class _ByName:
 
 
 Points = Annotated[
-    dict[Name, Position],
+    dict[Name, PlaceOnLink],
     BeforeValidator(_named),
     freeze,
     PlainSerializer(_points_as_written),
@@ -148,6 +163,11 @@ class Link(Frozen):
             yield "mass.incomplete", {"missing": Joined(missing)}
         if "mass" not in given and (about or "shape" in given):
             yield "mass.missing", {"given": Joined([*about, *(["shape"] if "shape" in given else [])])}
+
+    def place(self, number: Callable[[Expression, u.Dimension], Scalar], point: str) -> Pair:
+        """The coordinates (m) of a point in the link's frame; ``number`` gives values in SI."""
+        found: Pair = self.points[point].coordinates(number, lambda other: self.place(number, other))
+        return found
 
 
 class Joint(Frozen):

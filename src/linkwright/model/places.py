@@ -12,9 +12,8 @@ from itertools import chain
 from linkwright.elements.entries import NOUNS
 from linkwright.elements.load import crossed
 from linkwright.expressions import units as u
-from linkwright.expressions.fields import Expression, FrozenDict, Position
+from linkwright.expressions.fields import FrozenDict
 from linkwright.expressions.typed_fields import Context, Path, Scope
-from linkwright.expressions.units import Dimension
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.motions import ARGUMENT
 from linkwright.model.walk import ExpressionPlace, Found, QuantityPlace, walk
@@ -27,7 +26,6 @@ __all__ = [
     "crossed",
     "find_typed_values",
     "places",
-    "position_parts",
 ]
 
 OF_FORMULA = FrozenDict({ARGUMENT: u.PURE})
@@ -38,11 +36,6 @@ SECTIONS = (
     "laws", "windows",
 )  # fmt: skip
 """The sections in the order in which their dimensions are inferred; measures follow, each with its bounds."""
-
-
-def position_parts(position: Position) -> tuple[tuple[Expression, Dimension], tuple[Expression, Dimension]]:
-    """The two expressions of a position with their dimensions."""
-    return (position.first, u.LENGTH), (position.second, u.ANGLE if position.polar else u.LENGTH)
 
 
 def find_typed_values(m: Mechanism) -> list[Found]:

@@ -12,12 +12,12 @@ from typing import TypeVar
 
 from linkwright.escape import printed
 from linkwright.expressions import units as u
-from linkwright.expressions.fields import Expression, Position
+from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Name, Number, nodes
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, Term
 from linkwright.model.gravity import EARTH
-from linkwright.model.places import position_parts
+from linkwright.model.parts import Link
 from linkwright.model.quantities import Quantities
 
 Key = TypeVar("Key")
@@ -58,7 +58,7 @@ def _gravity(q: Quantities) -> Iterator[Finding]:
 def _lengths(q: Quantities) -> Iterator[Finding]:
     known: dict[tuple[str, str, str], float] = {}
     for name, link in q.mechanism.links.items():
-        places = {point: _place(q, at) for point, at in list(link.points.items())[:MOST_POINTS]}
+        places = {point: _place(q, link, point) for point in list(link.points)[:MOST_POINTS]}
         for (a, p), (b, r) in combinations(places.items(), 2):
             known[name, a, b] = abs(p - r)
     if pair := _extremes_far_apart(known):
@@ -72,10 +72,9 @@ def _distance(link: str, a: str, b: str) -> Term:
     return Term("length-on", points=f"{a}-{b}", link=link)
 
 
-def _place(q: Quantities, at: Position) -> complex:
+def _place(q: Quantities, link: Link, point: str) -> complex:
     """A point in its link's axes (m), as x + i y."""
-    first, second = (q.value(expression, dimension) for expression, dimension in position_parts(at))
-    return first * complex(math.cos(second), math.sin(second)) if at.polar else complex(first, second)
+    return complex(*link.place(q.value, point))
 
 
 def _masses(q: Quantities) -> Iterator[Finding]:

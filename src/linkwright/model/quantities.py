@@ -20,11 +20,11 @@ from linkwright.model.bound_window import BoundWindow
 from linkwright.model.inference import Inference
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.names import Names
-from linkwright.model.places import OF_FORMULA, ExpressionPlace, find_typed_values, position_parts
+from linkwright.model.places import OF_FORMULA, ExpressionPlace, find_typed_values
 from linkwright.model.signals import Signals
 from linkwright.model.walk import Found
 
-__all__ = ["Quantities", "column_unit", "position_parts"]
+__all__ = ["Quantities", "column_unit"]
 
 LARGEST = 1e40
 """The largest magnitude (SI) that an input may have; products of several must not overflow."""

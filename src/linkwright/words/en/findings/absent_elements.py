@@ -85,8 +85,8 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "crank and C one of the lever.",
     ),
     "element.weld": (
-        "'{name}': linkwright has no welded or fixed joint.",
-        "Links that don't move relative to each other are one link: put their points on it, and their masses as "
-        "counterweights if there are several. Parts that don't move at all belong to the frame.",
+        "'{name}': a welded joint is written under joints, as weld.",
+        "For example 'joints: {{seam: {{weld: [bracket, rod], angle: 30 deg}}}}', with a point that both links share. If "
+        "you don't need the forces in the section, put all points on one link. Parts that don't move at all belong to the frame.",
     ),
 }

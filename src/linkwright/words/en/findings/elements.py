@@ -105,6 +105,24 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "The sketched points are collinear (or fewer than three), so they don't define the plane of the linkage.",
         "Give the plane, such as plane: xz or plane: {{normal: [0, 1, 0.02]}}, or sketch another pose.",
     ),
+    "triangle.two": (
+        "A point is given by its distances from two others of its link; here are {count}.",
+        "For example P: {{from: {{A: 80 mm, B: 60 mm}}, side: left of A-B}}.",
+    ),
+    "triangle.side": (
+        "The side '{given}' names other points than the distances, which are from {first} and {second}.",
+        "Write side: {text}, seen from {first} to {second}; or give the distances from the points of the side.",
+    ),
+    "triangle.circular": (
+        "The place of {point} on the link {link} can't be found: by the distances that are given, it follows from itself.",
+        "Give two points of the link by coordinates, and the others by their distances from points given before them.",
+    ),
+    "triangle.impossible": (
+        "The point {point} of the link {link} has no place: these three sides form no triangle: {sides}. Any two must "
+        "together be longer than the third; here that is {value} {unit}, and must be positive.",
+        "Correct one of the two distances or the points from which they are measured. For a point on the line of the two "
+        "others, give coordinates instead.",
+    ),
     "sketch.coincident": (
         "The points {a} and {b} of the link {link} coincide in the plane of the linkage.",
         "Check their coordinates and the plane: the distance between the two points must not be zero.",

@@ -57,6 +57,15 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "This kind of joint, {kind}, needs the continuous angle of a link, of which only the direction is known.",
         "Set winds = True in the class of the kind, so that angles are followed over whole turns.",
     ),
+    "joint.weld-pin": (
+        "{link} and {on} don't share one pin, at which they could be welded.",
+        "Give both links one point of the same name, at the section whose forces you need, and no other joint between "
+        "them: weld: [{link}, {on}] then keeps their angle.",
+    ),
+    "joint.weld-drive": (
+        "{link} can't be welded onto {on}: every drive has an output, or there is none.",
+        "Give one drive a law of its own. In a structure without a drive, put the points of both links on one link.",
+    ),
     "joint.coupling-joint": (
         "{link} isn't connected to {on} by exactly one joint, in which it could follow.",
         "Connect the two links by one pin, or by one prismatic joint, and write the link that follows first: "

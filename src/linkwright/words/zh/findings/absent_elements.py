@@ -72,7 +72,8 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "例如“joints: {{slot: {{pin_in_slot: [crank, lever], pin: B, straight: C at 0 deg}}}}”，其中 B 为 crank 上的点，C 为 lever 上的点。",
     ),
     "element.weld": (
-        "“{name}”：linkwright 不提供焊接或固定副。",
-        "彼此没有相对运动的各构件应合为一个构件：将各点都定义在该构件上；若有多个质量，将其作为配重添加。完全不动的部分属于机架。",
+        "“{name}”：焊接在 joints 中用 weld 表示。",
+        "例如“joints: {{seam: {{weld: [bracket, rod], angle: 30 deg}}}}”，两个构件要有一个同名的点。若不需要该截面的内力，"
+        "可把所有的点写在同一个构件上。完全不动的零件属于机架。",
     ),
 }

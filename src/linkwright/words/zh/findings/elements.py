@@ -102,6 +102,23 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "草图点共线（或少于三个），不能确定机构平面。",
         "给出平面，例如 plane: xz 或 plane: {{normal: [0, 1, 0.02]}}，或改画另一位姿的草图。",
     ),
+    "triangle.two": (
+        "点由其到同一构件上另外两点的距离确定；此处给出了 {count} 个距离。",
+        "例如 P: {{from: {{A: 80 mm, B: 60 mm}}, side: left of A-B}}。",
+    ),
+    "triangle.side": (
+        "side 的“{given}”与距离所用的点不一致，距离是从 {first} 和 {second} 量起的。",
+        "写成 side: {text}（从 {first} 向 {second} 看），或从 side 的两点给出距离。",
+    ),
+    "triangle.circular": (
+        "无法确定构件 {link} 上点 {point} 的位置：按所给距离，它由自身推出。",
+        "用坐标给出构件的两个点，其余各点用到已给出的点的距离来确定。",
+    ),
+    "triangle.impossible": (
+        "构件 {link} 上的点 {point} 没有位置：以下三边不构成三角形：{sides}。任意两边之和必须大于第三边；此处差值为 "
+        "{value} {unit}，必须为正。",
+        "更正两个距离之一，或更正量取距离的点。若该点位于另外两点的连线上，改用坐标给出。",
+    ),
     "sketch.coincident": (
         "构件 {link} 的点 {a} 和 {b} 在机构平面内重合。",
         "检查两点的坐标和平面：两点之间的距离不能为零。",

@@ -1,0 +1,76 @@
+"""The weld: two links that share a pin and keep their angle to each other there, such as a bracket on a rod.
+
+The pin holds the place and the weld the angle, so their reactions are the section forces at that place: normal and
+shear force from the pin, the bending moment from the weld. It is stated as a value that follows a drive with the slope
+0. The links stay two, and are solved in closed form as links that a drive holds on each other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Annotated, Any, ClassVar
+
+from pydantic import BeforeValidator
+
+from linkwright.elements.follower import (
+    Follower,
+    FollowerEntry,
+    FollowerGeometry,
+    FollowerReports,
+    Motions,
+    MotorRelation,
+    register_follower,
+)
+from linkwright.elements.joint import Applied
+from linkwright.elements.mover import exerted
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Expression, Name, pair
+from linkwright.expressions.language import Node
+from linkwright.expressions.typed_fields import Quantity, Ref
+from linkwright.findings import Finding
+from linkwright.notation import Jet
+
+
+class WeldEntry(FollowerEntry):
+    """Two links that keep their angle to each other at the pin that they share."""
+
+    kind: ClassVar[str] = "weld"
+
+    weld: Annotated[
+        tuple[Annotated[Name, Ref("link")], Annotated[Name, Ref("link")]], BeforeValidator(pair("two-links"))
+    ]
+    angle: Annotated[Expression, Quantity(u.ANGLE)]
+
+
+@register_follower
+@dataclass(frozen=True)
+class Weld(Follower):
+    """A link that is welded onto another one; its ``torque`` is the moment on it in the section at their pin (N m)."""
+
+    kind: ClassVar[str] = "weld"
+    stated: ClassVar[type[Any]] = WeldEntry
+
+    @classmethod
+    def read(cls, m: Any, name: str, pins: Mapping[str, Any]) -> Weld | list[Finding]:
+        entry: WeldEntry = m.joints[name]
+        path, (link, on) = ("joints", name), entry.links
+        joints = [pin for pin in pins.values() if {*entry.links} <= {*pin.links}]
+        slides = [slide for slide, joint in m.prismatic_joints() if {*joint.links} == {*entry.links}]
+        motors = [drive for drive, one in m.drives.items() if one.output is None]
+        faults = []
+        if len(joints) != 1 or slides:
+            faults.append(Finding("joint.weld-pin", path, {"link": link, "on": on}))
+        if not motors:
+            faults.append(Finding("joint.weld-drive", path, {"link": link, "on": on}))
+        return faults or cls(entry, link, on, turning=True, motor=motors[0])
+
+    def relation(self, geometry: FollowerGeometry, motions: Motions) -> MotorRelation:
+        node = self.entry.angle
+        return MotorRelation(lambda at, motor: Jet.constant(at.number(node, u.ANGLE), motor.order))
+
+    def tree(self, geometry: FollowerGeometry, motor: Node) -> Node:
+        return geometry.bind(self.entry.angle, u.ANGLE)
+
+    def applied(self, reports: FollowerReports, name: str) -> list[Applied]:
+        return exerted(self, reports, name, reports.rows[f"{name}.{self.effort}"])
