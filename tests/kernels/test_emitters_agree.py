@@ -37,6 +37,7 @@ CHOSEN = (
     "class_four",
     "conjugate_cam",
     "jansen_leg",
+    "planetary_train",
     "sauer_platform",
     "scotch_yoke",
     "slider_crank_friction",
@@ -44,6 +45,7 @@ CHOSEN = (
 )
 """Examples whose programs have all that those of the others have: compiling takes seconds each."""
 REGULAR = 1e-3
+ROUND_OFF = 1e-12
 Case = tuple[Program, np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 
 
@@ -86,6 +88,8 @@ def agrees(kernel: str, case: Case) -> None:
     assert np.array_equal(np.isnan(found), unknown)
     assert not unknown.all()
     largest = np.abs(np.where(unknown, 0.0, expected)).max(axis=1, keepdims=True)
+    # What is only round-off, as the acceleration of a gear at constant speed, is so beside the others.
+    largest = np.where(largest < ROUND_OFF * largest.max(), 1e-3 * largest.max(), largest)
     late = (np.where(unknown, 0.0, np.abs(found - expected)) > np.where(unknown, 0.0, bounds * largest)).any(axis=1)
     assert not late.any(), [program.outputs[i] for i in np.flatnonzero(late)]
 
