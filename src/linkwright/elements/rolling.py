@@ -112,9 +112,8 @@ class Touch(NamedTuple):
 
 @dataclass(frozen=True)
 class OnLine(Inner):
-    """A disc on a line: its ``centre`` and ``radius`` (m), ``base`` and ``heading`` of the line; on which ``side`` (1
-    to
-    the left, -1) and which ``constant`` (m) the drawing has."""
+    """A disc on a line: its ``centre`` and ``radius`` (m), ``base`` and ``heading`` of the line; on which ``side``
+    (1 to the left, -1) and which ``constant`` (m) the drawing has."""
 
     centre: Pair
     radius: Scalar
@@ -152,8 +151,7 @@ class OnLine(Inner):
 @dataclass(frozen=True)
 class OnCircle(Inner):
     """A disc on a circle about ``base``: its ``centre`` and ``radius`` (m), the circle's radius (``round``, m),
-    ``rho`` 1
-    on it and -1 in it; which ``constant`` (m) the drawing has."""
+    ``rho`` 1 on it and -1 in it; which ``constant`` (m) the drawing has."""
 
     centre: Pair
     radius: Scalar

@@ -161,7 +161,7 @@ TEXTS: dict[str, str] = {
     "reduction.value": "value",
     "reduction.straightness": "straightness",
     "reduction.efficiency": "efficiency",
-    "reduction.share": "share of the energy given",
+    "reduction.share": "share of the supplied energy",
     "measure.max": "max",
     "measure.min": "min",
     "measure.figure": "{name} {label}",
