@@ -94,7 +94,11 @@ def test_by_element(result: lw.Result) -> None:
 
 def test_every_signal_is_of_some_element(result: lw.Result) -> None:
     elements = {name.rpartition(".")[0] for name in result.names}
-    assert sum(len(result.element(element)) for element in elements) == len(result.names)
+    known = [f"{element}.{attribute}" for element in elements for attribute in result.element(element)]
+    assert len(known) == len({*known})
+    # The sums over the mechanism are only given by name.
+    assert {*known} - {*result.names} == {f"energy.{total}" for total in ("stored", "supplied", "dissipated")}
+    assert {*known} > {*result.names}
     assert len(set(result.names)) == len(result.names)
 
 

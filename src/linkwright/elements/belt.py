@@ -49,7 +49,8 @@ class BeltEntry(WheelsEntry):
         Annotated[Two, BeforeValidator(pair("two-radii"))] | None, Quantity(u.LENGTH, Sign.POSITIVE, "pitch-radius")
     ] = None
     teeth: Annotated[
-        Annotated[Two, BeforeValidator(pair("two-numbers"))] | None, Quantity(u.PURE, Sign.POSITIVE, "teeth")
+        Annotated[Two, BeforeValidator(pair("two-numbers"))] | None,
+        Quantity(u.PURE, Sign.POSITIVE, "teeth", whole=True),
     ] = None
     pitch: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE, "pitch")] = None
     crossed: bool = False

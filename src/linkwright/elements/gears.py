@@ -59,7 +59,8 @@ class GearsEntry(WheelsEntry):
 
     gears: TwoLinks
     teeth: Annotated[
-        Annotated[Two, BeforeValidator(pair("two-numbers"))] | None, Quantity(u.PURE, Sign.POSITIVE, "teeth")
+        Annotated[Two, BeforeValidator(pair("two-numbers"))] | None,
+        Quantity(u.PURE, Sign.POSITIVE, "teeth", whole=True),
     ] = None
     radii: Annotated[
         Annotated[Two, BeforeValidator(pair("two-radii"))] | None, Quantity(u.LENGTH, Sign.POSITIVE, "pitch-radius")

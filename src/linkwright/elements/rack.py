@@ -75,7 +75,7 @@ class RackEntry(JointEntry):
     pitch_line: Annotated[LineOn, Ref("point", of=lambda c: _entry(c).rack[1])]
     carrier: Annotated[Name, Ref("link")] = FRAME
     radius: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE, "pitch-radius")] = None
-    teeth: Annotated[Expression | None, Quantity(u.PURE, Sign.POSITIVE, "teeth")] = None
+    teeth: Annotated[Expression | None, Quantity(u.PURE, Sign.POSITIVE, "teeth", whole=True)] = None
     module: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE, "module")] = None
     pressure_angle: Annotated[Expression, Quantity(u.ANGLE, Sign.NOT_NEGATIVE, "pressure-angle")] = Expression("20 deg")
 

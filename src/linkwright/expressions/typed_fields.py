@@ -94,6 +94,8 @@ class Quantity:
     ends: Ends = Ends.ANY
     choices: tuple[Dimension, ...] = ()
     """The dimensions that it may turn out to have, where that depends on where it stands."""
+    whole: bool = False
+    """Whether it counts something, such as teeth: no slider of a page moves it."""
 
     def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
         known = (self.dimension,) if isinstance(self.dimension, Dimension) else self.choices

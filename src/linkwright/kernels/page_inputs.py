@@ -31,6 +31,7 @@ from linkwright.laws import TableLaw
 from linkwright.model.conditions import Condition, varying_conditions
 from linkwright.model.quantities import Quantities
 from linkwright.model.sampled import dependent, names_in
+from linkwright.model.walk import QuantityPlace
 
 
 def derived_parameters(quantities: Quantities, tangents: bool = False) -> Program:
@@ -59,6 +60,8 @@ def locked_parameters(compiled: Compiled, free: Iterable[str]) -> dict[str, Find
     motions = compiled.motions.items()
     fixed = {("laws", name): motion.names if name in followed else motion.fixed for name, motion in motions}
     fixed |= {("tables", name): table.names for name, table in compiled.tables.items()}
+    counted = [site for site in compiled.quantities.fields if isinstance(site, QuantityPlace)]
+    whole = [(site.path, names_in(e.node)) for site in counted for e, of in site.parts if of.whole]
     for name in free:
         try:
             Varied(compiled, [name])
@@ -66,6 +69,10 @@ def locked_parameters(compiled: Compiled, free: Iterable[str]) -> dict[str, Find
             found[name] = error.findings[0]
             continue
         varying = dependent(compiled.quantities, frozenset([name]))
+        for path, stated in whole:
+            if varying & stated:
+                why = Finding("varied.whole", path, {"name": name, "where": ".".join(map(str, path))}, severity="note")
+                found.setdefault(name, why)
         for path, names in fixed.items():
             if varying & names:
                 why = Finding("varied.locked", path, {"name": name, "where": path[1]}, severity="note")

@@ -7,7 +7,7 @@ the nominal parameters alone.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import islice
 from typing import Any
 
@@ -204,6 +204,20 @@ def signals_by_owner(live: LiveData) -> dict[str, object]:
     return {"owners": owners, "endings": [*endings]}
 
 
+def unit_sizes(live: LiveData) -> dict[str, float]:
+    """The SI sizes of units in which numbers and measures are given; a unit that has several isn't among them."""
+    found: dict[str, set[float]] = {}
+    sized: list[Mapping[str, Any]] = [*live["numbers"], *live["measures"]]
+    for one in sized:
+        found.setdefault(one.get("unit", ""), set()).add(float(one["size"]))
+    return {unit: sizes.pop() for unit, sizes in found.items() if len(sizes) == 1}
+
+
+def without_sizes(parts: Sequence[Mapping[str, Any]], sizes: Mapping[str, float]) -> list[dict[str, Any]]:
+    """Numbers or measures without the size of their unit, where that stands among the sizes."""
+    return [{k: v for k, v in one.items() if k != "size" or one.get("unit", "") not in sizes} for one in parts]
+
+
 def packed(values: Sequence[object]) -> dict[str, object]:
     """A list in which few values recur: these, and the number of each entry's."""
     found = list(dict.fromkeys(values))
@@ -215,7 +229,13 @@ def without_values(scene: Scene) -> dict[str, object]:
     links = [{key: value for key, value in link.items() if key != "pose"} for link in scene["links"]]
     traces = [{"name": trace["name"]} for trace in scene["traces"]]
     rolling = [{"link": one["link"], "point": one["point"]} for one in scene.get("centrodes", ())]
-    return {**scene, "time": [], "links": links, "traces": traces, "centrodes": rolling}
+    arrows = [{**arrow, "rows": [*map(_without(arrow["name"]), arrow["rows"])]} for arrow in scene.get("arrows", ())]
+    return {**scene, "time": [], "links": links, "traces": traces, "centrodes": rolling, "arrows": arrows}
+
+
+def _without(name: str) -> Callable[[str], str]:
+    """What drops the name with which a signal begins."""
+    return lambda row: row[len(name) :] if row.startswith(f"{name}.") else row
 
 
 def without_series(plots: Sequence[Plot]) -> list[dict[str, object]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
+from typing import Any
 
 from linkwright.drawing.charts import named
 from linkwright.findings import Said, Term, Text
@@ -14,7 +15,16 @@ from linkwright.presentation.scripts import built
 from linkwright.report import sections
 from linkwright.report.data import ReportData
 from linkwright.report.html_blocks import section
-from linkwright.report.live import even, packed, pruned, signals_by_owner, without_series, without_values
+from linkwright.report.live import (
+    even,
+    packed,
+    pruned,
+    signals_by_owner,
+    unit_sizes,
+    without_series,
+    without_sizes,
+    without_values,
+)
 from linkwright.report.signal_list import KINDS
 from linkwright.words import say
 
@@ -124,7 +134,7 @@ def page(data: ReportData) -> str:
             "first": data.get("first", ()),
             "live": True,
         }
-        own: dict[str, object] = {key: value for key, value in live.items() if key != "code"}
+        own: dict[str, Any] = {key: value for key, value in live.items() if key != "code"}
         own |= {"times": even(live["times"]), "signals": signals_by_owner(live)}
         own |= {"sizes": packed(live["sizes"]), "units": packed(live["units"])}
         del own["owners"]
@@ -133,7 +143,10 @@ def page(data: ReportData) -> str:
             "places": [one["place"] for one in live["conditions"]],
             "sizes": packed(sizes if {*sizes} != {1.0} else []),
         }
-        own["numbers"] = pruned([{**number, "locked": bool(str(number["locked"]))} for number in live["numbers"]])
+        own["unit_sizes"] = unit_sizes(live)
+        own["measures"] = without_sizes(live["measures"], own["unit_sizes"])
+        numbers = [{**number, "locked": bool(str(number["locked"]))} for number in live["numbers"]]
+        own["numbers"] = pruned(without_sizes(numbers, own["unit_sizes"]))
         blocks["live"] = Exact(own)
         scripts.insert(0, f"globalThis.linkwrightPrograms={live['code']}")
     sheets = ["mechanism.css", *(["studies.css"] if charts else [])]

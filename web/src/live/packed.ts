@@ -18,7 +18,16 @@ interface Signals {
   readonly endings: readonly (readonly string[])[];
 }
 
-export type Packed = Omit<LiveData, "times" | "signals" | "owners" | "sizes" | "units" | "conditions"> & {
+/** Numbers and measures, which have the size of their unit of their own only where that isn't among all sizes. */
+type Sized<T extends { readonly unit: string; readonly size: number }> = Omit<T, "size"> & { readonly size?: number };
+
+type Shortened = "numbers" | "measures" | "times" | "signals" | "owners" | "sizes" | "units" | "conditions";
+
+export type Packed = Omit<LiveData, Shortened> & {
+  readonly numbers: readonly Sized<LiveData["numbers"][number]>[];
+  readonly measures: readonly Sized<LiveData["measures"][number]>[];
+  /** The SI sizes of units, by what they are called; a number of no unit has none. */
+  readonly unit_sizes: Readonly<Record<string, number>>;
   readonly times: Times;
   readonly signals: Signals;
   readonly sizes: List<number>;

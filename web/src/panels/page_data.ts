@@ -50,12 +50,15 @@ type Stated = Omit<PageData, "live" | "plots"> & { plots: readonly Omit<Plot, "t
 /** The data in the words of the language. */
 export function pageData(words: PageWords): PageData {
   const { time, scene, plots, first = [], live } = read("#data") as Stated;
+  // Rows of arrows stand without the name that they begin with.
+  const whole = (name: string) => (row: string): string => (row.startsWith(".") ? name + row : row);
+  const arrows = scene.arrows?.map((arrow) => ({ ...arrow, rows: arrow.rows.map(whole(arrow.name)) }));
   const areas = scene.areas?.map((area, i) => ({ ...area, name: words.areas[i] ?? area.name }));
   const data = live ? liveData(read("#live") as Packed) : null;
   const values = data ? data.times.map((each) => each / data.second) : time.values;
   return {
     time: { ...time, values, label: words.time },
-    scene: areas ? { ...scene, areas } : scene,
+    scene: { ...scene, ...(areas ? { areas } : {}), ...(arrows ? { arrows } : {}) },
     plots: plots.map((plot, i) => ({ ...plot, title: words.titles[i] ?? "" })),
     first,
     ...(data ? { live: data } : {}),
@@ -66,8 +69,9 @@ export function pageData(words: PageWords): PageData {
 export const chartData = (): RawCharts => read("#charts") as RawCharts;
 
 function liveData(data: Packed): LiveData {
-  const measures = data.measures.map((measure) => ({ ...NOTHING, ...measure, ...stated(measure) }));
-  const numbers = data.numbers.map((number) => ({ ...PLAIN, ...number }));
+  const size = ({ unit = "" }: { unit?: string }): { size: number } => ({ size: data.unit_sizes[unit]! });
+  const measures = data.measures.map((one) => ({ ...NOTHING, ...size(one), ...one, ...stated(one) }));
+  const numbers = data.numbers.map((number) => ({ ...PLAIN, ...size(number), ...number }));
   const conditions = { places: data.conditions.places, sizes: unpacked(data.conditions.sizes) };
   const lists = { ...signalsOf(data.signals), sizes: unpacked(data.sizes), units: unpacked(data.units) };
   return { ...data, ...lists, times: timesOf(data.times), measures, numbers, conditions };

@@ -23,6 +23,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "{where} is read from the file with the value of {name}; the report doesn't recompute it.",
         "Change {name} in the file, then run it again.",
     ),
+    "varied.whole": (
+        "{where} is a whole number; no slider moves {name}.",
+        "Change {name} in the file, then run it again.",
+    ),
     "varied.values": (
         "{count} of {samples} samples have values that aren't valid in the model; in the first one, {sample}: {what}",
         "Narrow the ranges of the varied parameters, or define dependent dimensions as expressions of them.",

@@ -21,6 +21,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "{where} 按文件中 {name} 的值确定，报告页面不重新计算。",
         "在文件中修改 {name}，然后重新运行。",
     ),
+    "varied.whole": (
+        "{where} 是整数，滑块不能改变 {name}。",
+        "在文件中修改 {name}，然后重新运行。",
+    ),
     "varied.values": (
         "{samples} 个样本中有 {count} 个的取值在模型中无效；第一个为样本 {sample}：{what}",
         "缩小变动参数的范围，或将相关的尺寸定义为变动参数的表达式。",
