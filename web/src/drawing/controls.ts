@@ -46,7 +46,7 @@ export function controls(root: Element, facts: Facts, { say, time, real }: Contr
   const traces = chosen(say("paths"), paths(facts));
   const centrodes = chosen(
     say("centrodes"),
-    facts.centrodes.map(({ link }) => {
+    (facts.scene.centrodes ?? []).map(({ link }) => {
       return { name: link, colour: colourOf(facts, facts.links.get(link)!), checked: false };
     }),
   );

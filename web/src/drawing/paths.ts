@@ -57,7 +57,7 @@ export function traces(facts: Facts, view: View, parent: Element): Layer {
 
 /** The fixed and the moving centrode of those links that are `chosen`, and their instant centres. */
 export function centrodes(facts: Facts, view: View, chosen: readonly boolean[], parent: Element): Move {
-  const seen = facts.centrodes.filter((_, i) => chosen[i]);
+  const seen = chosen.includes(true) ? (facts.scene.centrodes ?? []).filter((_, i) => chosen[i]) : [];
   const parts = seen.map((centrode) => {
     const link = facts.links.get(centrode.link)!;
     const group = svg("g", { class: `lw-centrode ${colourOf(facts, link)}` }, parent);

@@ -31,7 +31,6 @@ export interface Facts {
   readonly gaps: readonly boolean[];
   /** The colour of each moving link. */
   readonly colour: ReadonlyMap<LinkData, number>;
-  readonly centrodes: readonly Centrode[];
   readonly areas: readonly AreaData[];
   readonly arrows: readonly Arrow[];
   /** By which arrows are scaled: the longest of each kind. */
@@ -46,7 +45,7 @@ export function survey(scene: Scene, kept: Kept | null = null): Facts {
   const times = scene.time.length ? scene.time : [0];
   const links = new Map(scene.links.map((link) => [link.name, link]));
   const guides = guidesOf(scene, links, times);
-  const { areas = [], centrodes = [] } = scene;
+  const { areas = [] } = scene;
   const gaps = scene.open ?? times.map((_, k) => scene.links.some((link) => !poseOf(link, times, k)));
   const moving = scene.links.filter((link) => !link.fixed);
   const colour = new Map(moving.map((link, i) => [link, i % PALETTE]));
@@ -54,7 +53,7 @@ export function survey(scene: Scene, kept: Kept | null = null): Facts {
   const { box, wide, size } = kept ?? extents(scene, guides, times);
   const arrows = arrowsOf(scene, links);
   const longest = kept?.longest ?? longestOf(arrows);
-  return { scene, times, links, guides, pins, box, wide, size, gaps, colour, centrodes, areas, arrows, longest };
+  return { scene, times, links, guides, pins, box, wide, size, gaps, colour, areas, arrows, longest };
 }
 
 /** The extents that hold two scenes. */

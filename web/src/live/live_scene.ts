@@ -1,6 +1,6 @@
 // The scene of a motion that the page computed.
 
-import type { LinkData, Point, PoseRows, Scene, Values } from "../scene/data.ts";
+import type { Centrode, LinkData, Point, PoseRows, Scene, Values } from "../scene/data.ts";
 import type { Motion } from "../program/mechanism.ts";
 import { extent } from "../scene/numbers.ts";
 import { centrodesOf } from "./live_centrodes.ts";
@@ -35,10 +35,22 @@ export function sceneOf(base: Scene, live: LiveModel, motion: Motion = live.moti
     x: scaled(live.signal(`${name}.x`, motion)!, data.length),
     y: scaled(live.signal(`${name}.y`, motion)!, data.length),
   }));
-  const centrodes = centrodesOf(base.centrodes ?? [], links, live, motion);
+  let rolling: Centrode[] | null = null;
   const time = data.times.map((each) => each / data.second);
   const values = valuesOf(base, live, motion);
-  return { ...base, links, joints, traces, centrodes, time, values, open: openings(motion, time.length) };
+  return {
+    ...base,
+    links,
+    joints,
+    traces,
+    time,
+    values,
+    open: openings(motion, time.length),
+    /** Found when they are looked at: mostly they aren't. */
+    get centrodes() {
+      return (rolling ??= centrodesOf(base.centrodes ?? [], links, live, motion));
+    },
+  };
 }
 
 /** The outlines of a link that can be computed: those of cams and their rollers, slots, pitch circles. */
