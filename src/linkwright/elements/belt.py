@@ -25,8 +25,9 @@ from pydantic import BeforeValidator
 
 from linkwright.elements.curves import Curve, polygon
 from linkwright.elements.entries import NumberFault, StatedPlaces
+from linkwright.elements.fields import TwoLinks
 from linkwright.elements.joint import Applied, Array, ContactReaction, JointGeometry, JointReports, register
-from linkwright.elements.pitch import InnerWheels, Pitch, TwoLinks, WheelsEntry, WheelsKind, across_line
+from linkwright.elements.pitch import InnerWheels, Pitch, WheelsEntry, WheelsKind, of_line
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Two, pair
 from linkwright.expressions.typed_fields import Quantity, Sign
@@ -106,8 +107,7 @@ class BeltEntry(WheelsEntry):
 @dataclass(frozen=True)
 class InnerBelt(InnerWheels):
     """A belt as a closure; ``lean`` is the cosine of the strands' angle to the line of centres, ``pretension`` (N)
-    that of
-    a strand, ``None`` where one of them is slack."""
+    that of a strand, ``None`` where one of them is slack."""
 
     lean: Scalar = 1.0
     pretension: Scalar | None = None
@@ -118,8 +118,7 @@ class InnerBelt(InnerWheels):
 
     def besides(self, bodies: Sequence[Body], multipliers: Sequence[Scalar]) -> list[Wrench]:
         """What the strands carry together pulls the centres towards each other."""
-        pulled = self.pulled(bodies[0], bodies[1], self.carried(multipliers[0]) * self.lean)
-        return pulled if len(bodies) == 2 else [*pulled, Wrench.zero(bodies[2].anchor.now)]
+        return self.pulled(bodies, self.carried(multipliers[0]) * self.lean)
 
 
 @register
@@ -198,19 +197,16 @@ class Belt(WheelsKind):
         """By what the reported forces and moments miss those of two strands that touch both wheels."""
         entry = reports.geometry.mechanism.joints[joint]
         (start, end), (first, second) = self.reported(reports, joint)
-        across, apart = across_line(start, end)
-        along = np.array([across[1], -across[0]])
+        along, across, apart = of_line(start, end)
         (force, moment), (back, other) = (reports.reaction(reports.contact(joint, wheel)) for wheel in entry.wheels)
         tangential, sine = np.asarray(moment) / first, (first + second) / apart
         carried = np.abs(tangential)
         if entry.pretension is not None:
             carried = np.full_like(carried, 2.0 * float(reports.geometry.number(entry.pretension, u.FORCE)))
-        missed = [
+        return [
             (force * along).sum(axis=0) + carried * np.sqrt(1.0 - sine**2),
             (force * across).sum(axis=0) - tangential * sine,
             np.asarray(other) / second - tangential,
             *np.asarray(force + back),
+            *self.on_carrier(reports, joint),
         ]
-        if entry.carrier in entry.links and entry.carrier not in entry.wheels:
-            missed += [*np.asarray(reports.reaction(reports.contact(joint, entry.carrier))[0])]
-        return missed

@@ -12,8 +12,9 @@ from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar
 
 import numpy as np
-from pydantic import BeforeValidator, Field
+from pydantic import Field
 
+from linkwright.elements.fields import TwoLinks
 from linkwright.elements.follower import (
     Follower,
     FollowerEntry,
@@ -26,11 +27,11 @@ from linkwright.elements.follower import (
 from linkwright.elements.joint import Applied
 from linkwright.elements.mover import exerted
 from linkwright.expressions import units as u
-from linkwright.expressions.fields import Expression, Name, pair
+from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Call, Node, evaluate, is_signal, nodes, signal_text
 from linkwright.expressions.language import Name as Named
 from linkwright.expressions.trees import replaced
-from linkwright.expressions.typed_fields import Ref, Scope, of_drive
+from linkwright.expressions.typed_fields import Scope, of_drive
 from linkwright.expressions.unknown import near
 from linkwright.findings import Finding
 from linkwright.notation import Jet, Scalar
@@ -41,9 +42,7 @@ class CouplingEntry(FollowerEntry):
 
     kind: ClassVar[str] = "coupling"
 
-    coupling: Annotated[
-        tuple[Annotated[Name, Ref("link")], Annotated[Name, Ref("link")]], BeforeValidator(pair("two-links"))
-    ]
+    coupling: TwoLinks
     expression: Annotated[Expression, of_drive(u.ANGLE, u.LENGTH, lambda c: c.name, Scope.FOLLOWS)] = Field(
         alias="follows"
     )

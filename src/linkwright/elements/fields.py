@@ -8,7 +8,7 @@ from pydantic import AfterValidator, BeforeValidator, Discriminator, Tag
 
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import FrozenDict, LineOn, Name, Position, Two, pair
-from linkwright.expressions.typed_fields import Ends, Quantity, Ref, Sign
+from linkwright.expressions.typed_fields import Context, Ends, Quantity, Ref, Sign
 from linkwright.expressions.written import unexpected
 
 freeze = AfterValidator(FrozenDict)
@@ -19,6 +19,17 @@ LinkName = Annotated[Name, Ref("link")]
 PointName = Annotated[Name, Ref("point")]
 DriveName = Annotated[Name, Ref("drive")]
 ParameterName = Annotated[Name, Ref("parameter")]
+
+
+def point_of_joint(number: int) -> Ref:
+    """A point of the joint's link of this number, at any depth of the joint's entry."""
+
+    def link(c: Context) -> str:
+        return str(next(entry for entry in c.entries if hasattr(entry, "joint_points")).links[number])
+
+    return Ref("point", of=link)
+
+
 TwoLinks = Annotated[tuple[LinkName, LinkName], BeforeValidator(pair("two-links"))]
 TwoPoints = Annotated[tuple[Name, Name], BeforeValidator(pair("two-points"))]
 TwoLines = Annotated[tuple[LineOn, LineOn], BeforeValidator(pair("two-lines"))]

@@ -27,8 +27,9 @@ from pydantic import BeforeValidator
 
 from linkwright.elements.clearance import OnFlank, StatedClearance
 from linkwright.elements.entries import NumberFault, StatedPlaces
+from linkwright.elements.fields import TwoLinks
 from linkwright.elements.joint import Applied, Array, ContactReaction, JointGeometry, JointReports, register
-from linkwright.elements.pitch import InnerWheels, Pitch, TwoLinks, WheelsEntry, WheelsKind, across_line
+from linkwright.elements.pitch import InnerWheels, Pitch, WheelsEntry, WheelsKind, of_line
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Name, Two, pair
 from linkwright.expressions.typed_fields import Quantity, Ref, Sign
@@ -41,6 +42,14 @@ EXACT, VARIED = 1e-6, 1e-2
 dimensions vary by tolerances: the gears then keep their ratio on working pitch circles."""
 SHIFTED = 1.0
 """By how many modules the centre distance may differ from that of gears without profile shift."""
+MESH_SIGNALS = {
+    "tangential": u.FORCE,
+    "separating": u.FORCE,
+    "force": u.FORCE,
+    "speed": u.SPEED,
+    "power": u.POWER,
+}
+"""The signals of teeth in mesh."""
 WHOLE = 1e-9
 """Numbers of teeth are whole but for this."""
 
@@ -49,13 +58,7 @@ class GearsEntry(WheelsEntry):
     """Two gears in mesh."""
 
     kind: ClassVar[str] = "gears"
-    signals = {
-        "tangential": u.FORCE,
-        "separating": u.FORCE,
-        "force": u.FORCE,
-        "speed": u.SPEED,
-        "power": u.POWER,
-    }
+    signals = MESH_SIGNALS
 
     gears: TwoLinks
     teeth: Annotated[
@@ -166,10 +169,7 @@ class InnerGears(InnerWheels):
         """The separating force, between the centres: the tangential force, of either sign, times the tangent."""
         if is_zero(self.steep):
             return []
-        (tangential,) = multipliers
-        a, b = bodies[:2]
-        pulled = self.pulled(a, b, -call("abs", tangential) * self.steep)
-        return pulled if len(bodies) == 2 else [*pulled, Wrench.zero(bodies[2].anchor.now)]
+        return self.pulled(bodies, -call("abs", multipliers[0]) * self.steep)
 
 
 @register
@@ -230,15 +230,11 @@ class Gears(WheelsKind):
         """By what the force between the centres misses the tangential one times the tangent of the pressure angle."""
         entry = reports.geometry.mechanism.joints[joint]
         (start, end), _ = self.reported(reports, joint)
-        across, apart = across_line(start, end)
-        along = np.array([across[1], -across[0]])
+        along, across, apart = of_line(start, end)
         force = np.asarray(reports.reaction(reports.contact(joint, entry.wheels[0]))[0])
         tangential, pushes = (force * across).sum(axis=0), (force * along).sum(axis=0)
         alpha = float(reports.geometry.number(entry.pressure_angle, u.ANGLE))
         if (reference := entry.reference_distance(reports.geometry)) is not None:
             alpha = np.arccos(float(reference) * np.cos(alpha) / apart)
         steep = np.tan(alpha) * (-1.0 if entry.internal else 1.0)
-        missed = [pushes - np.abs(tangential) * steep]
-        if entry.carrier in entry.links and entry.carrier not in entry.wheels:
-            missed += [*np.asarray(reports.reaction(reports.contact(joint, entry.carrier))[0])]
-        return missed
+        return [pushes - np.abs(tangential) * steep, *self.on_carrier(reports, joint)]

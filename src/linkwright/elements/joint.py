@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.elements.clearance import LooseJoint, StatedClearance
-from linkwright.elements.curves import Curve as Curve
+from linkwright.elements.curves import Curve
 from linkwright.elements.entries import JointEntry, make_known
 from linkwright.elements.touch import ReportedTouch, Touch
 from linkwright.expressions.written import FaultWithin

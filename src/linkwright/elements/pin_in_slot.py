@@ -20,11 +20,12 @@ import numpy as np
 from pydantic import BeforeValidator
 
 from linkwright.elements.clearance import OnFlank, StatedClearance
+from linkwright.elements.curves import Curve
 from linkwright.elements.entries import JointEntry, NumberFault
+from linkwright.elements.fields import TwoLinks, point_of_joint
 from linkwright.elements.joint import (
     Array,
     ContactReaction,
-    Curve,
     Inner,
     JointGeometry,
     JointKind,
@@ -37,7 +38,7 @@ from linkwright.elements.joint import (
 from linkwright.elements.touch import Reacting, ReportedTouch, Touch
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen, LineOn, Name, Two, fault, pair
-from linkwright.expressions.typed_fields import Context, Ends, Quantity, Ref, Sign
+from linkwright.expressions.typed_fields import Ends, Quantity, Ref, Sign
 from linkwright.expressions.written import Fault, unexpected
 from linkwright.findings import Joined
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec
@@ -48,12 +49,7 @@ MOST = 60
 """The most places that a curve may be given by."""
 
 
-def _of_slot(c: Context) -> str:
-    """The link that has the slot."""
-    return str(next(entry for entry in c.entries if isinstance(entry, PinInSlotEntry)).pin_in_slot[1])
-
-
-_IN_SLOT = Ref("point", of=_of_slot)
+_IN_SLOT = point_of_joint(1)
 
 
 def _places(raw: Any) -> Any:
@@ -89,9 +85,7 @@ class PinInSlotEntry(JointEntry):
     kind: ClassVar[str] = "pin_in_slot"
     signals = {"s": u.LENGTH, "v": u.SPEED, "a": u.ACCELERATION, "j": u.JERK, "force": u.FORCE}
 
-    pin_in_slot: Annotated[
-        tuple[Annotated[Name, Ref("link")], Annotated[Name, Ref("link")]], BeforeValidator(pair("two-links"))
-    ]
+    pin_in_slot: TwoLinks
     pin: Annotated[Name, Ref("point", of=lambda c: c.entry.pin_in_slot[0])]
     straight: Annotated[LineOn | None, _IN_SLOT] = None
     arc: Arc | None = None

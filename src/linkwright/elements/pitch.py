@@ -25,6 +25,7 @@ from pydantic import BeforeValidator
 
 from linkwright.elements.curves import Curve, circle, spoked
 from linkwright.elements.entries import JointEntry
+from linkwright.elements.fields import point_of_joint
 from linkwright.elements.joint import (
     Array,
     Inner,
@@ -39,26 +40,11 @@ from linkwright.elements.pins import pins
 from linkwright.elements.points import FRAME
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Name, pair
-from linkwright.expressions.typed_fields import Context, Ref
+from linkwright.expressions.typed_fields import Ref
 from linkwright.expressions.written import FaultWithin
 from linkwright.findings import Joined
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
 from linkwright.notation.jets import call
-
-
-def _of_wheel(k: int) -> Ref:
-    """A point of the first or the second wheel."""
-
-    def link(c: Context) -> str:
-        return str(next(entry for entry in c.entries if isinstance(entry, WheelsEntry)).wheels[k])
-
-    return Ref("point", of=link)
-
-
-TwoLinks = Annotated[
-    tuple[Annotated[Name, Ref("link")], Annotated[Name, Ref("link")]], BeforeValidator(pair("two-links"))
-]
-"""The two wheels."""
 
 
 class WheelsEntry(JointEntry):
@@ -71,7 +57,8 @@ class WheelsEntry(JointEntry):
     }
 
     centres: Annotated[
-        tuple[Annotated[Name, _of_wheel(0)], Annotated[Name, _of_wheel(1)]], BeforeValidator(pair("two-points"))
+        tuple[Annotated[Name, point_of_joint(0)], Annotated[Name, point_of_joint(1)]],
+        BeforeValidator(pair("two-points")),
     ]
     carrier: Annotated[Name, Ref("link")] = FRAME
 
@@ -117,6 +104,11 @@ def pinned_point(mechanism: Any, link: str, end: tuple[str, str]) -> str | None:
         return end[1]
     found = (pin.point(link) for pin in pins(mechanism).values() if end in pin.members and link in pin.links)
     return next(found, None)
+
+
+def continuous_angle(body: Body) -> Scalar:
+    """The angle (rad) of a link over any number of turns, which kinds that wind have (:attr:`JointKind.winds`)."""
+    return body.angle
 
 
 class Pitch(NamedTuple):
@@ -180,11 +172,12 @@ class InnerWheels(Inner):
         along = Pair(away.x / size, away.y / size)
         return along, along.perp
 
-    def pulled(self, a: Body, b: Body, force: Scalar) -> list[Wrench]:
+    def pulled(self, bodies: Sequence[Body], force: Scalar) -> list[Wrench]:
         """A force (N) that pulls the wheels towards each other at their centres; nothing on the carrier."""
+        a, b, *carrier = bodies
         along, _ = self.unit(a, b)
         pull = Wrench(Pair(force * along.x, force * along.y), 0.0, a.point(self.pitch.centres[0]).now)
-        return [pull, pull.opposite]
+        return [pull, pull.opposite, *(Wrench.zero(body.anchor.now) for body in carrier)]
 
 
 class WheelsKind(JointKind):
@@ -285,10 +278,17 @@ class WheelsKind(JointKind):
         # A point of each wheel at its pitch circle moves along it as much as that of the other, where the line of
         # centres stands still: r1 omega1 + r2 omega2, and the centres' velocities across over the distance.
         (start, end), (first, second) = self.reported(reports, joint)
-        across, apart = across_line(start, end)
+        _, across, apart = of_line(start, end)
         total = (first + second) / float(apart[0])
         a, b = reports.geometry.mechanism.joints[joint].wheels
         return [[Rate(a, first), Rate(b, second), Rate(a, total, start, across), Rate(b, -total, end, across)]]
+
+    def on_carrier(self, reports: JointReports, joint: str) -> list[Array]:
+        """The force (N) that a moving carrier is reported to get of the wheels, which is none."""
+        entry = reports.geometry.mechanism.joints[joint]
+        if entry.carrier not in entry.links or entry.carrier in entry.wheels:
+            return []
+        return [*np.asarray(reports.reaction(reports.contact(joint, entry.carrier))[0])]
 
     def reported(self, reports: JointReports, joint: str) -> tuple[tuple[Array, Array], tuple[float, float]]:
         """The centres of both wheels in the frame (2, times), and the signed radii (m)."""
@@ -302,8 +302,9 @@ class WheelsKind(JointKind):
         return (start, end), (float(first), float(second))
 
 
-def across_line(start: Array, end: Array) -> tuple[Array, Array]:
-    """The direction across a line from start to end, to the left of it, and its length."""
+def of_line(start: Array, end: Array) -> tuple[Array, Array, Array]:
+    """The direction of a line from start to end, that across it to the left, and its length."""
     away = end - start
     apart = np.hypot(*away)
-    return np.array([-away[1], away[0]]) / apart, apart
+    across = np.array([-away[1], away[0]]) / apart
+    return np.array([across[1], -across[0]]), across, apart

@@ -25,7 +25,8 @@ import numpy as np
 from linkwright.elements.clearance import OnFlank, StatedClearance
 from linkwright.elements.curves import Curve, polygon, spoked
 from linkwright.elements.entries import JointEntry, NumberFault, StatedPlaces
-from linkwright.elements.gears import EXACT, SHIFTED, VARIED, WHOLE
+from linkwright.elements.fields import TwoLinks, point_of_joint
+from linkwright.elements.gears import EXACT, MESH_SIGNALS, SHIFTED, VARIED, WHOLE
 from linkwright.elements.joint import (
     Applied,
     Array,
@@ -39,11 +40,11 @@ from linkwright.elements.joint import (
     Reaction,
     register,
 )
-from linkwright.elements.pitch import TwoLinks, pinned_point
+from linkwright.elements.pitch import continuous_angle, pinned_point
 from linkwright.elements.points import FRAME
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, LineOn, Name
-from linkwright.expressions.typed_fields import Context, Quantity, Ref, Sign
+from linkwright.expressions.typed_fields import Quantity, Ref, Sign
 from linkwright.expressions.written import FaultWithin
 from linkwright.findings import Joined
 from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
@@ -54,25 +55,15 @@ PARALLEL = 1e-9
 """The sine of the angle between a rack's line and its guide is below this."""
 
 
-def _entry(c: Context) -> RackEntry:
-    return next(entry for entry in c.entries if isinstance(entry, RackEntry))
-
-
 class RackEntry(JointEntry):
     """A pinion in mesh with a rack."""
 
     kind: ClassVar[str] = "rack"
-    signals = {
-        "tangential": u.FORCE,
-        "separating": u.FORCE,
-        "force": u.FORCE,
-        "speed": u.SPEED,
-        "power": u.POWER,
-    }
+    signals = MESH_SIGNALS
 
     rack: TwoLinks
-    centre: Annotated[Name, Ref("point", of=lambda c: _entry(c).rack[0])]
-    pitch_line: Annotated[LineOn, Ref("point", of=lambda c: _entry(c).rack[1])]
+    centre: Annotated[Name, point_of_joint(0)]
+    pitch_line: Annotated[LineOn, point_of_joint(1)]
     carrier: Annotated[Name, Ref("link")] = FRAME
     radius: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE, "pitch-radius")] = None
     teeth: Annotated[Expression | None, Quantity(u.PURE, Sign.POSITIVE, "teeth", whole=True)] = None
@@ -187,11 +178,7 @@ class InnerRack(Inner):
 
     def rolled(self, a: Body, b: Body) -> Scalar:
         """What stays constant (m)."""
-        return self.passed(self.travel(a, b).d[0], a.angle, b.angle)
-
-    def passed(self, travel: Scalar, first: Scalar, second: Scalar) -> Scalar:
-        """The same by the travel (m) and the angles of both links (rad)."""
-        return travel + self.radius * (first - second)
+        return self.travel(a, b).d[0] + self.radius * (continuous_angle(a) - continuous_angle(b))
 
     def gap(self, *bodies: Body) -> tuple[Jet, ...]:
         """Closure (m): what has passed along the line but not at the pitch circle."""

@@ -27,6 +27,7 @@ import numpy as np
 
 from linkwright.elements.curves import Curve, circle, polygon, spoked
 from linkwright.elements.entries import JointEntry, NumberFault
+from linkwright.elements.fields import TwoLinks, point_of_joint
 from linkwright.elements.joint import (
     Applied,
     Array,
@@ -40,29 +41,20 @@ from linkwright.elements.joint import (
     Reaction,
     register,
 )
-from linkwright.elements.pitch import TwoLinks
+from linkwright.elements.pitch import continuous_angle
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen, LineOn, Name
-from linkwright.expressions.typed_fields import Context, Quantity, Ref, Sign
+from linkwright.expressions.typed_fields import Quantity, Sign
 from linkwright.expressions.written import FaultWithin
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec
 from linkwright.notation.jets import call
 from linkwright.notation.planar import unit_vector
 
 
-def _of(k: int) -> Ref:
-    """A point of the disc's link, or of the other one."""
-
-    def link(c: Context) -> str:
-        return str(next(entry for entry in c.entries if isinstance(entry, RollingEntry)).rolling[k])
-
-    return Ref("point", of=link)
-
-
 class Circle(Frozen):
     """A circle of the other link."""
 
-    centre: Annotated[Name, _of(1)]
+    centre: Annotated[Name, point_of_joint(1)]
     radius: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE, "circle-radius")]
     inside: bool = False
 
@@ -74,9 +66,9 @@ class RollingEntry(JointEntry):
     signals = {"normal": u.FORCE, "tangential": u.FORCE}
 
     rolling: TwoLinks
-    centre: Annotated[Name, _of(0)]
+    centre: Annotated[Name, point_of_joint(0)]
     radius: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE, "disc-radius")]
-    on_line: Annotated[LineOn | None, _of(1)] = None
+    on_line: Annotated[LineOn | None, point_of_joint(1)] = None
     on_circle: Circle | None = None
 
     @classmethod
@@ -131,7 +123,7 @@ class OnLine(Inner):
         """Side and constant of a pose."""
         x, y = (float(one.d[0]) for one in self.lies(a, b))
         side = -1.0 if y < 0 else 1.0
-        return side, x + side * float(self.radius) * float(_angle(a) - _angle(b))
+        return side, x + side * float(self.radius) * float(continuous_angle(a) - continuous_angle(b))
 
     def gap(self, *bodies: Body) -> tuple[Jet, ...]:
         """Closure (m): the gap to the line; what has passed along it but not at the circumference."""
@@ -139,7 +131,7 @@ class OnLine(Inner):
         x, y = self.lies(a, b)
         signed = self.side * self.radius
         rates = x.rate() + (a.turn - b.turn) * signed if x.order else Jet(())
-        rolled = x.d[0] + signed * (_angle(a) - _angle(b)) - self.constant
+        rolled = x.d[0] + signed * (continuous_angle(a) - continuous_angle(b)) - self.constant
         return y * self.side - self.radius, Jet([rolled, *rates.d])
 
     def touch(self, a: Body, b: Body) -> Touch:
@@ -169,7 +161,7 @@ class OnCircle(Inner):
         """The side, which says nothing here, and the constant of a pose."""
         away = a.point(self.centre).now.minus(b.point(self.base).now)
         line = float(np.arctan2(float(away.y), float(away.x)))
-        turned = self.round * _angle(b) + self.rho * self.radius * _angle(a)
+        turned = self.round * continuous_angle(b) + self.rho * self.radius * continuous_angle(a)
         return 1.0, float(turned - self.apart * line)
 
     def gap(self, *bodies: Body) -> tuple[Jet, ...]:
@@ -179,7 +171,9 @@ class OnCircle(Inner):
         signed, apart = self.rho * self.radius, self.apart
         distance = (away.dot(away)).sqrt()
         missed = (distance - call("abs", apart)) * self.rho
-        foretold = unit_vector((self.round * _angle(b) + signed * _angle(a) - self.constant) / apart)
+        foretold = unit_vector(
+            (self.round * continuous_angle(b) + signed * continuous_angle(a) - self.constant) / apart
+        )
         off = call("arctan2", away.now.cross(foretold), away.now.dot(foretold))
         if not away.x.order:
             return missed, Jet([apart * off])
@@ -195,11 +189,6 @@ class OnCircle(Inner):
         along = Pair(out * away.x / size, out * away.y / size)  # from the circle's centre to where they touch
         push = Pair(self.rho * along.x * out, self.rho * along.y * out)
         return Touch(Pair(start.x + self.round * along.x, start.y + self.round * along.y), push, along.perp)
-
-
-def _angle(body: Body) -> Scalar:
-    """The continuous angle (rad)."""
-    return body.angle
 
 
 @register

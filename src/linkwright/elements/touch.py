@@ -25,12 +25,8 @@ class Touch(NamedTuple):
 
     def sliding(self, link: Body, other: Body) -> Scalar:
         """The speed (m/s) of the link's material along the other's at the contact."""
-        return self._along(link) - self._along(other)
-
-    def _along(self, body: Body) -> Scalar:
-        away, omega = self.place.minus(body.anchor.now), body.turn.d[0]
-        velocity = Pair(body.anchor.x.d[1] - omega * away.y, body.anchor.y.d[1] + omega * away.x)
-        return velocity.dot(self.along)
+        along = self.along
+        return link.velocity(self.place).dot(along) - other.velocity(self.place).dot(along)
 
 
 class Reacting(NamedTuple):

@@ -11,8 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar
 
-from pydantic import BeforeValidator
-
+from linkwright.elements.fields import TwoLinks
 from linkwright.elements.follower import (
     Follower,
     FollowerEntry,
@@ -25,9 +24,9 @@ from linkwright.elements.follower import (
 from linkwright.elements.joint import Applied
 from linkwright.elements.mover import exerted
 from linkwright.expressions import units as u
-from linkwright.expressions.fields import Expression, Name, pair
+from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Node
-from linkwright.expressions.typed_fields import Quantity, Ref
+from linkwright.expressions.typed_fields import Quantity
 from linkwright.findings import Finding
 from linkwright.notation import Jet
 
@@ -37,9 +36,7 @@ class WeldEntry(FollowerEntry):
 
     kind: ClassVar[str] = "weld"
 
-    weld: Annotated[
-        tuple[Annotated[Name, Ref("link")], Annotated[Name, Ref("link")]], BeforeValidator(pair("two-links"))
-    ]
+    weld: TwoLinks
     angle: Annotated[Expression, Quantity(u.ANGLE)]
 
 

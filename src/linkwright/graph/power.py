@@ -16,9 +16,7 @@ if TYPE_CHECKING:
 
 def power_of_wrench(body: Body, wrench: Wrench) -> Scalar:
     """The power (W) of a wrench on a link: force times velocity, moment times angular velocity."""
-    at, omega = wrench.about.minus(body.anchor.now), body.turn.d[0]
-    along = wrench.force.x * (body.anchor.x.d[1] - omega * at.y) + wrench.force.y * (body.anchor.y.d[1] + omega * at.x)
-    return along + omega * wrench.moment
+    return wrench.force.dot(body.velocity(wrench.about)) + body.turn.d[0] * wrench.moment
 
 
 def supplied(view: View, one: Acting) -> Scalar:

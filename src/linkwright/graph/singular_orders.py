@@ -23,8 +23,7 @@ def pole(view: View, signal: Signal) -> Scalar:
     and the turning omega of a, both as seen from b."""
     a, b = (view.motion.bodies[link] for link in signal.owners)
     place, size = a.anchor.now, view.graph.size
-    arm = place.minus(b.anchor.now)
-    carried = Pair(b.anchor.x.d[1] - b.turn.d[0] * arm.y, b.anchor.y.d[1] + b.turn.d[0] * arm.x)
+    carried = b.velocity(place)
     own = Pair(a.anchor.x.d[1], a.anchor.y.d[1])
     speed, omega = own.minus(carried), ca.SX(a.turn.d[0] - b.turn.d[0])
     whole = own.dot(own) + carried.dot(carried) + size**2 * (a.turn.d[0] ** 2 + b.turn.d[0] ** 2)

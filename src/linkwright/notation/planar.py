@@ -114,6 +114,11 @@ class Body:
             return self.anchor
         return self.anchor.plus(self.axis.carry(arm))
 
+    def velocity(self, place: Pair) -> Pair:
+        """The velocity (m/s) of the link's material that is now at a place (m) in the frame."""
+        away, omega = place.minus(self.anchor.now), self.turn.d[0]
+        return Pair(self.anchor.x.d[1] - omega * away.y, self.anchor.y.d[1] + omega * away.x)
+
     def direction(self, local: Pair) -> Vec:
         """The unit vector of a direction fixed in the link."""
         return self.axis.carry(local)

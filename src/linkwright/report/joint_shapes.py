@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.elements.joint import Curve, JointKind
+from linkwright.elements.curves import Curve
+from linkwright.elements.joint import JointKind
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
 from linkwright.report.outlines import LiveOutline, Shapes, outline_program

@@ -15,8 +15,9 @@ from pydantic import BeforeValidator, Field
 
 from linkwright.elements import Inner, JointKind, register
 from linkwright.elements.clearance import OnFlank, StatedClearance
+from linkwright.elements.curves import Curve
 from linkwright.elements.entries import JointEntry
-from linkwright.elements.joint import Curve, Miss, Rate
+from linkwright.elements.joint import Miss, Rate
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, LineOn, Name
 from linkwright.expressions.typed_fields import Quantity, Sign
