@@ -19,7 +19,7 @@ from linkwright.model.document import load
 from linkwright.model.named_numbers import named_numbers
 from linkwright.report.build import report_data
 from linkwright.report.data import ReportData
-from linkwright.report.live import even, rounded
+from linkwright.report.packed import even, rounded
 from linkwright.report.page import page
 from linkwright.studies import RunContext
 

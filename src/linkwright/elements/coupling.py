@@ -22,6 +22,7 @@ from linkwright.elements.follower import (
     FollowerReports,
     Motions,
     MotorRelation,
+    joints_between,
     register_follower,
 )
 from linkwright.elements.joint import Applied
@@ -68,8 +69,7 @@ class Coupling(Follower):
     def read(cls, m: Any, name: str, pins: Mapping[str, Any]) -> Coupling | list[Finding]:
         entry: CouplingEntry = m.joints[name]
         path, (link, on) = ("joints", name), entry.links
-        pinned = [pin for pin in pins.values() if {*entry.links} <= {*pin.links}]
-        slides = [slide for slide, joint in m.prismatic_joints() if {*joint.links} == {*entry.links}]
+        pinned, slides = joints_between(m, entry.links, pins)
         faults = []
         if len(pinned) + len(slides) != 1:
             faults.append(Finding("joint.coupling-joint", path, {"link": link, "on": on}))

@@ -104,6 +104,12 @@ class FollowerEntry(JointEntry):
         return ()
 
 
+def joints_between(m: Any, links: Sequence[str], pins: Mapping[str, Any]) -> tuple[list[str], list[str]]:
+    """The pins that hold both links, and the prismatic joints of both, by name."""
+    pinned = [name for name, pin in pins.items() if {*links} <= {*pin.links}]
+    return pinned, [name for name, joint in m.prismatic_joints() if {*joint.links} == {*links}]
+
+
 @dataclass(frozen=True)
 class MotorRelation:
     """How a follower's ``value`` follows, and what ``total`` of its law places a second contact (rad or m)."""

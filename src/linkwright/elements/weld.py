@@ -19,6 +19,7 @@ from linkwright.elements.follower import (
     FollowerReports,
     Motions,
     MotorRelation,
+    joints_between,
     register_follower,
 )
 from linkwright.elements.joint import Applied
@@ -52,11 +53,10 @@ class Weld(Follower):
     def read(cls, m: Any, name: str, pins: Mapping[str, Any]) -> Weld | list[Finding]:
         entry: WeldEntry = m.joints[name]
         path, (link, on) = ("joints", name), entry.links
-        joints = [pin for pin in pins.values() if {*entry.links} <= {*pin.links}]
-        slides = [slide for slide, joint in m.prismatic_joints() if {*joint.links} == {*entry.links}]
+        pinned, slides = joints_between(m, entry.links, pins)
         motors = [drive for drive, one in m.drives.items() if one.output is None]
         faults = []
-        if len(joints) != 1 or slides:
+        if len(pinned) != 1 or slides:
             faults.append(Finding("joint.weld-pin", path, {"link": link, "on": on}))
         if not motors:
             faults.append(Finding("joint.weld-drive", path, {"link": link, "on": on}))

@@ -37,7 +37,8 @@ from linkwright.report.data import (
 )
 from linkwright.report.first_plots import first_plots
 from linkwright.report.joint_shapes import is_cylinder, joint_shapes
-from linkwright.report.live import can_be_live, live_data, rounded
+from linkwright.report.live import can_be_live, live_data
+from linkwright.report.packed import rounded
 from linkwright.report.structure_summary import facts
 from linkwright.report.summary import drawn, found
 from linkwright.results import Result

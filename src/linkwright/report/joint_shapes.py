@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from linkwright.elements.curves import Curve
 from linkwright.elements.joint import JointKind
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
+from linkwright.notation import Pair
 from linkwright.report.outlines import LiveOutline, Shapes, outline_program
 from linkwright.results import Result
 from linkwright.structure import FRAME
@@ -59,19 +61,22 @@ def joint_shapes(result: Result, size: float, extent: float) -> Shapes:
 
 def live_joint_shapes(compiled: Compiled) -> Iterator[LiveOutline]:
     """The same at any parameters, of joints with a travel and of lines that don't depend on one."""
-    geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
+    nominal = Geometry(compiled.quantities, compiled.quantities.parameters)
     for name, entry in compiled.mechanism.joints_but_pins():
         kind, travel = compiled.structure.topology.kind_of(name), f"{name}.s" if "s" in entry.signals else ""
-        for k, curve in enumerate(kind.outline(geometry, name, 0.0, 1.0)):
-
-            def places(geometry: Geometry, x: list[Any], kind: JointKind = kind, name: str = name, k: int = k) -> Any:
-                share, *reach = x
-                one = kind.outline(geometry, name, *(reach or (np.nan, np.nan)))[k]
-                return [tuple(one.place(one.ends[0] + (one.ends[1] - one.ends[0]) * share))]
-
-            program = outline_program(compiled, 3 if travel else 1, places)
+        for k, curve in enumerate(kind.outline(nominal, name, np.nan, np.nan)):
+            program = outline_program(compiled, 3 if travel else 1, partial(_places, kind, name, k))
             width = 0.0 if curve.closed else WIDTH * compiled.assembly.size()
             yield LiveOutline(curve.link, program, _shares(curve)[:, None], travel, width)
+
+
+def _places(kind: JointKind, name: str, number: int, geometry: Geometry, inputs: Sequence[Any]) -> list[Pair]:
+    """A place of one of a joint's lines: the inputs are its share of the line, and the ends of the travel if it has
+    one."""
+    share, *reach = inputs
+    curve = kind.outline(geometry, name, *(reach or (np.nan, np.nan)))[number]
+    first, last = curve.ends
+    return [curve.place(first + (last - first) * share)]
 
 
 def _shares(curve: Curve) -> Array:

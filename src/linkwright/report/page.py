@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Any
 
 from linkwright.drawing.charts import named
 from linkwright.findings import Said, Term, Text
@@ -15,16 +14,7 @@ from linkwright.presentation.scripts import built
 from linkwright.report import sections
 from linkwright.report.data import ReportData
 from linkwright.report.html_blocks import section
-from linkwright.report.live import (
-    even,
-    packed,
-    pruned,
-    signals_by_owner,
-    unit_sizes,
-    without_series,
-    without_sizes,
-    without_values,
-)
+from linkwright.report.packed import packed, packed_live, without_series, without_values
 from linkwright.report.signal_list import KINDS
 from linkwright.words import say
 
@@ -134,20 +124,7 @@ def page(data: ReportData) -> str:
             "first": data.get("first", ()),
             "live": True,
         }
-        own: dict[str, Any] = {key: value for key, value in live.items() if key != "code"}
-        own |= {"times": even(live["times"]), "signals": signals_by_owner(live)}
-        own |= {"sizes": packed(live["sizes"]), "units": packed(live["units"])}
-        del own["owners"]
-        sizes = [one["size"] or 1.0 for one in live["conditions"]]
-        own["conditions"] = {
-            "places": [one["place"] for one in live["conditions"]],
-            "sizes": packed(sizes if {*sizes} != {1.0} else []),
-        }
-        own["unit_sizes"] = unit_sizes(live)
-        own["measures"] = without_sizes(live["measures"], own["unit_sizes"])
-        numbers = [{**number, "locked": bool(str(number["locked"]))} for number in live["numbers"]]
-        own["numbers"] = pruned(without_sizes(numbers, own["unit_sizes"]))
-        blocks["live"] = Exact(own)
+        blocks["live"] = Exact(packed_live(live))
         scripts.insert(0, f"globalThis.linkwrightPrograms={live['code']}")
     sheets = ["mechanism.css", *(["studies.css"] if charts else [])]
     return html_file(

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from linkwright.findings import Finding
 from linkwright.results import Run
-from linkwright.results.jamming import Laws, followed, laws, meets, several
+from linkwright.results.jamming import followed, laws, meets, several
 from linkwright.results.self_locking import locked_stretches
 from linkwright.studies.assembly_checks import drive_value
 from linkwright.studies.load_checks import NEAR, finding_at, telling_times
@@ -18,43 +18,47 @@ NO_FORCE = 1e-100
 """Efforts (N, N m) below this are none: where nothing presses, the smoothed size of forces leaves some 1e-150."""
 
 
-def jammed(run: Run) -> list[Finding]:
-    """Where friction jams the mechanism soonest as its coefficients grow, where it gives power, as its coefficient is
-    negative, and where its forces aren't those to which its growth leads."""
-    resisting = run.compiled.graph.actions.resisting
-    if not resisting:
-        return []
-    t = telling_times(run, [])
-    of = laws(run.compiled, t)
-    share, efforts = followed(of)
-    worst = int(np.argmin(share))
-    if np.isfinite(share[worst]):
-        code = "friction.jams-meeting" if meets(of.at(worst)) else "friction.jams"
-        return [finding_at(run, code, resisting[0].path, float(t[worst]), share=f"{share[worst]:.3g}")]
-    own = run.compiled.evaluate([f"{one.name}.{one.kind.effort(one.entry)}" for one in resisting], t)
-    efforts = efforts[: len(resisting)]  # the others follow from the sizes of forces, as those of teeth
-    away = np.abs(own - efforts).max(axis=0) / np.maximum(np.abs(efforts).max(axis=0), NO_FORCE)
-    late = int(np.argmax(np.nan_to_num(away, nan=np.inf)))
-    if not away[late] <= NEAR:
-        return [finding_at(run, "friction.unsolved", resisting[0].path, float(t[late]))]
-    for one, power in zip(resisting, run.compiled.evaluate([f"{one.name}.power" for one in resisting], t), strict=True):
-        if power.max() > NEAR * np.abs(power).max():
-            return [finding_at(run, "friction.gives", one.path, float(t[np.argmax(power)]))]
-    return []
+class FrictionLaws:
+    """The laws of all friction of a run at telling times, followed once for what is found of them."""
 
+    def __init__(self, run: Run) -> None:
+        self.run, self.resisting = run, run.compiled.graph.actions.resisting
+        if self.resisting:
+            self.t = telling_times(run, [])
+            self.laws = laws(run.compiled, self.t)
+            self.share, self.efforts = followed(self.laws)
 
-def ambiguous(run: Run) -> list[Finding]:
-    """A warning where other friction forces obey the same laws."""
-    resisting = run.compiled.graph.actions.resisting
-    if not resisting:
+    def jammed(self) -> list[Finding]:
+        """Where friction jams the mechanism soonest as its coefficients grow, where it gives power, as its coefficient
+        is negative, and where its forces aren't those to which its growth leads."""
+        if not self.resisting:
+            return []
+        run, resisting, t = self.run, self.resisting, self.t
+        worst = int(np.argmin(self.share))
+        if np.isfinite(self.share[worst]):
+            code = "friction.jams-meeting" if meets(self.laws.at(worst)) else "friction.jams"
+            return [finding_at(run, code, resisting[0].path, float(t[worst]), share=f"{self.share[worst]:.3g}")]
+        own = run.compiled.evaluate([f"{one.name}.{one.kind.effort(one.entry)}" for one in resisting], t)
+        efforts = self.efforts[: len(resisting)]  # the others follow from the sizes of forces, as those of teeth
+        away = np.abs(own - efforts).max(axis=0) / np.maximum(np.abs(efforts).max(axis=0), NO_FORCE)
+        late = int(np.argmax(np.nan_to_num(away, nan=np.inf)))
+        if not away[late] <= NEAR:
+            return [finding_at(run, "friction.unsolved", resisting[0].path, float(t[late]))]
+        every = run.compiled.evaluate([f"{one.name}.power" for one in resisting], t)
+        for one, power in zip(resisting, every, strict=True):
+            if power.max() > NEAR * np.abs(power).max():
+                return [finding_at(run, "friction.gives", one.path, float(t[np.argmax(power)]))]
         return []
-    t = telling_times(run, [])
-    found: Laws = laws(run.compiled, t)
-    open_ = several(found, followed(found)[1])
-    if not open_.any():
-        return []
-    share = f"{100 * float(open_.mean()):.3g}"
-    return [finding_at(run, "friction.several", resisting[0].path, float(t[np.argmax(open_)]), "warning", share=share)]
+
+    def ambiguous(self) -> list[Finding]:
+        """A warning where other friction forces obey the same laws."""
+        if not self.resisting:
+            return []
+        open_ = several(self.laws, self.efforts)
+        if not open_.any():
+            return []
+        share, time = f"{100 * float(open_.mean()):.3g}", float(self.t[np.argmax(open_)])
+        return [finding_at(self.run, "friction.several", self.resisting[0].path, time, "warning", share=share)]
 
 
 def self_locking(run: Run) -> list[Finding]:

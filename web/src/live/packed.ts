@@ -1,4 +1,4 @@
-// Parts of a report's data as the file has them, shorter than they are (linkwright/report/live.py).
+// Parts of a report's data as the file has them, shorter than they are (linkwright/report/packed.py).
 
 import type { LiveData } from "./live_data.ts";
 

@@ -19,7 +19,7 @@ from linkwright.studies.cycle.options import CycleOptions, span
 from linkwright.studies.cycle.outcome import CycleOutcome
 from linkwright.studies.cycle.report import report
 from linkwright.studies.follower_locking import locked
-from linkwright.studies.friction_checks import ambiguous, jammed, self_locking
+from linkwright.studies.friction_checks import FrictionLaws, self_locking
 from linkwright.studies.load_checks import contacts, outside, undefined
 from linkwright.studies.output_dead_centres import powerless
 from linkwright.studies.plausible import coincident, crossed
@@ -72,7 +72,8 @@ class Cycle(Study):
             return CycleOutcome(Result(run, stops))
         if dead := powerless(run):
             return CycleOutcome(Result(run, dead))
-        if stuck := jammed(run):
+        friction = FrictionLaws(run)
+        if stuck := friction.jammed():
             return CycleOutcome(Result(run, stuck))
         if undecided := undefined(run):
             return CycleOutcome(Result(run, undecided))
@@ -87,7 +88,7 @@ class Cycle(Study):
         warned = [finding for finding in measurer.findings if finding not in faults]
         warned += [*warnings(run), *near(run), *(not_periodic(run) if options.period is not None else [])]
         notes = [*coincident(run), *crossed(run), *self_locking(run)]
-        warned += [*outside(run), *contacts(run), *ambiguous(run)]
+        warned += [*outside(run), *contacts(run), *friction.ambiguous()]
         return CycleOutcome(result, measures, [*warned, *notes], site.progress)
 
     def report(self, outcome: CycleOutcome) -> StudyReport:
