@@ -54,6 +54,9 @@ def test_slots_follow_a_change(show: Any, tmp_path: Path, example: str, changes:
     for name, value in changes.items():
         view.set(name, value / 1e3)
     after = view.page.evaluate(OUTLINES)
+    view.page.wait_for_timeout(200)  # what the page says follows when the numbers rest
+    state = view.page.locator(".live-line").inner_text()
+    assert "joints close" in state and "cam" not in state
     changed = document.replace(**changes)
     job = lw.run(changed)
     drawn = {

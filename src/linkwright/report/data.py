@@ -247,8 +247,8 @@ class LiveData(TypedDict):
     labels of others that arrows name; ``sizes`` are those of the units of both. ``wrapped`` are the numbers of those
     that are angles without whole turns; ``axes`` can stand in place of the time. ``probes``: a value of every third
     row, which the page must find too, but for round-off of its ``scales``. ``measures``: what is taken of the samples,
-    and of which signal (``measured``). ``outlines`` are the lines of cams, one program each. With ``power`` the last
-    two rows are what the powers of a pose leave, and their size.
+    and of which signal (``measured``). ``outlines`` are lines on links, one program each; with ``cams`` some are
+    those of cams. With ``power`` the last two rows are what the powers of a pose leave, and their size.
     ``numbers``: what can be moved, and the ``lines`` of the file where it stands; ``conditions`` on numbers are in the
     order of the program's. ``drives`` and ``parameters`` by their number.
     """
@@ -270,6 +270,7 @@ class LiveData(TypedDict):
     scales: Sequence[float]
     measures: Sequence[Mapping[str, object]]
     outlines: Sequence[LiveOutline]
+    cams: bool
     power: bool
     measured: Sequence[MeasuredSignal | None]
     numbers: Sequence[LiveNumber]

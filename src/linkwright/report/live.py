@@ -75,7 +75,8 @@ def live_data(
     weighs = any(compiled.mechanism.has_mass(link) for link in compiled.mechanism.links)
     power = weighs or any(one.kind.acts for one in compiled.mechanism.acting())
     balance = [PowerRow(), PowerRow(size=True)] if power else []
-    outlines = [*live_cam_shapes(compiled), *live_joint_shapes(compiled)]
+    cams = live_cam_shapes(compiled)
+    outlines = [*cams, *live_joint_shapes(compiled)]
     made = page_programs(
         compiled, [*compiled.graph.pose_rows, *signals, *others, *balance], measured, [one.program for one in outlines]
     )
@@ -101,6 +102,7 @@ def live_data(
         "probes": [known(float(f"{row[i * PROBE % result.t.size]:.12g}")) for i, row in probed],
         "scales": [float(f"{one:.2g}") for one in _scales(values, kinds)[::EVERY]],
         "outlines": [one.data() for one in outlines],
+        "cams": bool(cams),
         "power": power,
         "measures": [pruned(one.data({row: i for i, row in enumerate(measured)})) for one in measures],
         "measured": measured_signals((one.measure for one in measures), listed.names),

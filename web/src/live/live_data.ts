@@ -51,8 +51,9 @@ export interface LiveData {
   readonly probes: readonly (number | null)[];
   readonly scales: readonly number[];
   readonly measures: readonly LiveMeasure[];
-  /** Closed lines on links, one program each. */
+  /** Lines on links, one program each; whether some are those of cams. */
   readonly outlines: readonly Outline[];
+  readonly cams: boolean;
   /** Whether the last two rows are what the powers of a pose leave, and their size. */
   readonly power: boolean;
   /** Of each measure the signal that it is of: its value, the negative one, its magnitude, that of the vector of which

@@ -85,7 +85,7 @@ function stateLine(
     const closes = filled(say("live.closes"), { error: closureError(scene).toExponential(1) });
     const left = live.powerResidual;
     const balances = left === null ? "" : ` ${filled(say("live.balances"), { error: left.toExponential(1) })}`;
-    return `${closes}${balances}${live.changed && data.outlines.length ? ` ${say("live.cams")}` : ""}`;
+    return `${closes}${balances}${live.changed && data.cams ? ` ${say("live.cams")}` : ""}`;
   }
   const names: Record<string, string | undefined> = {
     parameter: data.parameters[failure.index],
