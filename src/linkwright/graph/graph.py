@@ -23,6 +23,7 @@ from linkwright.graph.view import View
 from linkwright.model.quantities import Quantities
 from linkwright.model.signals import Signal
 from linkwright.notation import MAX_ORDER
+from linkwright.notation.symbols import column
 from linkwright.structure import HigherGroup, Structure
 
 
@@ -78,7 +79,7 @@ class Graph:
     def nearest_poses(self) -> Program:
         """The program of the pose rows where dyads that can't close come nearest to it."""
         view = View.build(self, 0, self.inputs, nearest=True)
-        block = ExpressionStage.from_rows(view.x, view.p, [ca.SX(view.row(row)) for row in self.pose_rows])
+        block = ExpressionStage.from_rows(view.x, view.p, [view.row(row) for row in self.pose_rows])
         return Program((), block, self.inputs, self.parameters, tuple(row.label for row in self.pose_rows))
 
     @property
@@ -152,9 +153,9 @@ class Graph:
         they have in common."""
         order = self.order([*named, *rated])
         view = self._view(max(order, 1) if rated and self.structure.higher_groups else order)
-        rows = [ca.SX(view.row(one)) for one in named]
-        values = [ca.SX(view.row(one)) for one in rated]
-        slopes: Any = ca.jtimes(ca.vertcat(*values), view.x, self.flow(view)) if values else ()
+        rows = [view.row(one) for one in named]
+        values = [view.row(one) for one in rated]
+        slopes: Any = ca.jtimes(column(values), view.x, self.flow(view)) if values else ()
         rows += [part for i, value in enumerate(values) for part in (value, slopes[i])]
         block = ExpressionStage.from_rows(view.x, view.p, rows)
         outputs = [*self.labels(named), *(part for n in self.labels(rated) for part in (n, f"d({n})"))]
@@ -191,9 +192,9 @@ class Graph:
     def _build(self, named: tuple[Named, ...], rates: bool, solve: bool) -> Program:
         order, names = self.order(named), self.labels(named)
         view = self._view(max(order, 1) if rates and self.structure.higher_groups else order)
-        rows = [ca.SX(view.row(one)) for one in named]
+        rows = [view.row(one) for one in named]
         if rates:
-            slopes = ca.jtimes(ca.vertcat(*rows), view.x, self.flow(view))
+            slopes = ca.jtimes(column(rows), view.x, self.flow(view))
             rows = [part for i, row in enumerate(rows) for part in (row, slopes[i])]
         block = ExpressionStage.from_rows(view.x, view.p, rows)
         outputs = tuple(part for name in names for part in ((name, f"d({name})") if rates else (name,)))

@@ -27,6 +27,7 @@ from linkwright.graph.rows import Radicand
 from linkwright.graph.triads import TriadSystem, place_links
 from linkwright.model.mechanism import FRAME, Drive, Joint, Link, Mechanism
 from linkwright.notation import Body, Jet, Pair, Scalar
+from linkwright.notation.symbols import Symbol, column
 from linkwright.structure import Group, HigherGroup, Structure, decompose
 
 AXES = ("x", "y")
@@ -127,9 +128,9 @@ class Inverse:
     def _symbols(self) -> tuple[Any, Any, Any, Any]:
         """The inputs (x and y of the place, the branches, each platform's cosine, sine, x and y), the parameters, the
         rows, and the triads' systems."""
-        place, signs = ca.SX.sym("place", 2), [ca.SX.sym(group.label) for group in self.groups]
+        place, signs = ca.SX.sym("place", 2), [Symbol.named(group.label) for group in self.groups]
         poses = [ca.SX.sym(higher_group.label, 4) for higher_group in self.triads]
-        values = [ca.SX.sym(name) for name in self.graph.parameters]
+        values = [Symbol.named(name) for name in self.graph.parameters]
         quantities = copy(self.graph.quantities)
         quantities.mechanism = self.structure.topology.mechanism
         geometry = Geometry(quantities, dict(zip(self.graph.parameters, values, strict=True)))
@@ -142,7 +143,7 @@ class Inverse:
                 systems.append(_hung(motion, step, poses[len(systems)]))
             else:
                 solve_step(motion, step, drives, lambda group, _: chosen.get(group, 1.0), _no_higher_groups)
-        rows = ca.vertcat(*map(ca.SX, self._rows(motion)))
+        rows = column(self._rows(motion))
         return ca.vertcat(place, *signs, *poses), ca.vertcat(*values), rows, systems
 
     def _rows(self, motion: Motion) -> Iterator[Scalar]:

@@ -15,6 +15,8 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
+from linkwright.notation.symbols import column
+
 
 @dataclass(frozen=True)
 class Instruction:
@@ -35,7 +37,7 @@ class ExpressionStage:
     @classmethod
     def from_rows(cls, x: Any, p: Any, rows: Sequence[Any]) -> ExpressionStage:
         """The block that computes ``rows``; common parts are computed once."""
-        return cls(ca.Function("block", [x, p], [ca.cse(ca.vertcat(*rows))]))
+        return cls(ca.Function("block", [x, p], [ca.cse(column(rows))]))
 
     @cached_property
     def inputs(self) -> int:

@@ -19,6 +19,7 @@ from linkwright.graph.program import ExpressionStage, Program
 from linkwright.graph.rows import Named
 from linkwright.graph.view import View
 from linkwright.notation import MAX_ORDER, Body, Jet, Pair, Vec, Wrench
+from linkwright.notation.symbols import Symbol
 from linkwright.structure import FRAME
 
 Pose = Mapping[str, NDArray[np.float64]]
@@ -44,7 +45,7 @@ class StillGraph(Graph):
 
     def _view(self, order: int) -> View:
         if 0 not in self._views:
-            given = {name: ca.SX.sym(name) for name in self.inputs}
+            given = {name: Symbol.named(name) for name in self.inputs}
             parameters = ca.SX.sym("p", len(self.parameters))
             self._views[0] = View(self, ca.vertcat(*given.values()), parameters, self.motion(), {}, given, [])
         return self._views[0]
@@ -67,6 +68,6 @@ class StillGraph(Graph):
         rows: list[Any] = []
         for link, wrench in links.items():
             found: Wrench = wrench.at(view.motion.bodies[link].anchor.now)
-            rows += [ca.SX(found.force.x), ca.SX(found.force.y), ca.SX(found.moment)]
+            rows += [found.force.x, found.force.y, found.moment]
         names = tuple(f"{link}:{k}" for link in links for k in range(3))
         return Program((), ExpressionStage.from_rows(view.x, view.p, rows), self.inputs, self.parameters, names)

@@ -15,6 +15,7 @@ import casadi as ca
 
 from linkwright.graph.program import ExpressionStage, Program
 from linkwright.graph.view import View
+from linkwright.notation.symbols import Symbol, column
 
 if TYPE_CHECKING:
     from linkwright.graph.graph import Graph
@@ -30,11 +31,11 @@ def tangent(graph: Graph, named: Sequence[Named], rates: bool = False, plays: Se
     """
     order, names = graph.order(named), graph.labels(named)
     view = View.build(graph, max(order, 1) if rates else order, graph.inputs, plays)
-    rows = ca.vertcat(*(ca.SX(view.row(one)) for one in named))
+    rows = column(view.row(one) for one in named)
     if rates:
         rows = ca.vertcat(rows, ca.jtimes(rows, view.x, graph.flow(view)))
-    symbols = [ca.SX.sym(f"d({name})") for name in graph.inputs]
-    inputs = list(symbols)
+    symbols = [Symbol.named(f"d({name})") for name in graph.inputs]
+    inputs: list[Any] = list(symbols)
     directions = ca.SX.sym("direction", len(graph.parameters) + len(plays))
 
     def along(what: Any) -> Any:
@@ -72,9 +73,9 @@ def jacobian(
     view = View.build(graph, graph.order((*named, *others)), graph.inputs, plays)
     free = ca.vertsplit(ca.vertcat(view.x, view.p, *view.plays))
     symbols = dict(zip((*graph.inputs, *graph.parameters, *plays), free, strict=True))
-    rows = ca.vertcat(*(ca.SX(view.row(one)) for one in named))
+    rows = column(view.row(one) for one in named)
     slopes = ca.densify(ca.jacobian(rows, ca.vertcat(*(symbols[name] for name in by))))
-    every = ca.vertcat(rows, ca.reshape(slopes.T, -1, 1), *(ca.SX(view.row(one)) for one in others))
+    every = column([rows, ca.reshape(slopes.T, -1, 1), *map(view.row, others)])
     if plays:
         every = ca.substitute(every, ca.vertcat(*view.plays), ca.DM.zeros(len(plays)))
     block = ExpressionStage.from_rows(view.x, view.p, [every])

@@ -26,6 +26,7 @@ from linkwright.graph.power import dissipated, supplied, totals
 from linkwright.graph.singular_orders import pole
 from linkwright.model.signals import POWER, Signal
 from linkwright.notation import Body, Jet, Scalar, Vec, Wrench
+from linkwright.notation.symbols import Symbol
 from linkwright.structure import FRAME
 
 if TYPE_CHECKING:
@@ -49,17 +50,17 @@ class View:
     def build(
         cls, graph: Graph, order: int, inputs: tuple[str, ...], plays: Sequence[str] = (), nearest: bool = False
     ) -> View:
-        symbols = [ca.SX.sym(name) for name in inputs]
+        symbols = [Symbol.named(name) for name in inputs]
         x, first = ca.vertcat(*symbols), len(graph.motion_inputs)
         given, symbols = dict(zip(inputs[first:], symbols[first:], strict=True)), symbols[:first]
-        values = [ca.SX.sym(name) for name in graph.parameters]
+        values = [Symbol.named(name) for name in graph.parameters]
         width = graph.width
         laws = {drive: Jet(symbols[i * width : i * width + order + 1]) for i, drive in enumerate(graph.drives)}
         branches = dict(zip(graph.branched, symbols[len(graph.drives) * width : graph.first_unknown], strict=True))
         unknowns, rest = {}, symbols[graph.first_unknown :]
         for higher_group in graph.structure.higher_groups:
             unknowns[higher_group], rest = rest[: len(higher_group.free)], rest[len(higher_group.free) :]
-        offsets = [ca.SX.sym(name) for name in plays]
+        offsets = [Symbol.named(name) for name in plays]
         parameters = dict(zip(graph.parameters, values, strict=True))
         geometry = Geometry(graph.quantities, parameters, dict(zip(plays, offsets, strict=True)))
         motion = solve_motion(

@@ -32,6 +32,7 @@ from linkwright.model.conditions import Condition, varying_conditions
 from linkwright.model.quantities import Quantities
 from linkwright.model.sampled import dependent, names_in
 from linkwright.model.walk import QuantityPlace
+from linkwright.notation.symbols import Symbol
 
 
 def derived_parameters(quantities: Quantities, tangents: bool = False) -> Program:
@@ -82,7 +83,7 @@ def locked_parameters(compiled: Compiled, free: Iterable[str]) -> dict[str, Find
 
 def law_program(compiled: Compiled, locked: Iterable[str]) -> Program:
     """The drives' values and rates (SI) at a time (s), drive by drive."""
-    t: Any = ca.SX.sym("t")
+    t: Any = Symbol.named("t")
     p, parameters = _parameters(compiled, locked)
     rows = [part for drive in compiled.graph.drives for part in compiled.laws[drive].at(t, parameters).d]
     return _program(compiled, t, p, rows, ("t",))
@@ -179,7 +180,7 @@ def table_pieces(table: StatedTable) -> dict[str, Any]:
 def _parameters(compiled: Compiled, locked: Iterable[str]) -> tuple[Any, Mapping[str, Any]]:
     """The parameters as a column of symbols, and by name: those on which locked ones depend as numbers."""
     names, nominal = compiled.graph.parameters, compiled.quantities.parameters
-    symbols = [ca.SX.sym(name) for name in names]
+    symbols = [Symbol.named(name) for name in names]
     fixed = dependent(compiled.quantities, frozenset(locked))
     given = {name: nominal[name] if name in fixed else symbol for name, symbol in zip(names, symbols, strict=True)}
     return ca.vertcat(*symbols), given

@@ -31,7 +31,7 @@ def is_zero(value: Scalar) -> bool:
 
 def symbolic(value: Scalar) -> bool:
     """Whether a value is a CasADi symbol, told without loading CasADi."""
-    return type(value).__module__.startswith("casadi")
+    return hasattr(type(value), "is_symbolic")
 
 
 def call(name: str, *args: Scalar) -> Scalar:
@@ -40,21 +40,9 @@ def call(name: str, *args: Scalar) -> Scalar:
         if (own := getattr(arg, "elementary", None)) is not None:
             return own(name, *args)
         if symbolic(arg):
-            import casadi
+            from linkwright.notation.symbols import Symbol
 
-            aliases = {
-                "arctan2": "atan2",
-                "arcsin": "asin",
-                "arccos": "acos",
-                "arctan": "atan",
-                "abs": "fabs",
-                "where": "if_else",
-                "logical_or": "logic_or",
-                "logical_and": "logic_and",
-                "maximum": "fmax",
-                "minimum": "fmin",
-            }
-            return getattr(casadi, aliases.get(name, name))(*args)
+            return Symbol.elementary(name, *args)
     return getattr(np, name)(*args)
 
 

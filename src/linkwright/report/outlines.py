@@ -13,6 +13,7 @@ from linkwright.graph.geometry import Geometry
 from linkwright.graph.program import ExpressionStage, Program
 from linkwright.kernels import Compiled
 from linkwright.notation import Scalar
+from linkwright.notation.symbols import Symbol
 from linkwright.report.data import LiveOutline as LiveOutlineData
 
 Array = NDArray[np.float64]
@@ -51,7 +52,7 @@ def outline_program(
 ) -> Program:
     """The program of lines at any parameters: their ``places`` by the dimensions and by so many inputs."""
     names = compiled.graph.parameters
-    symbols = [ca.SX.sym(each) for each in names]
+    symbols = [Symbol.named(each) for each in names]
     geometry, x = Geometry(compiled.quantities, dict(zip(names, symbols, strict=True))), ca.SX.sym("x", count)
     rows = [coordinate for place in places(geometry, ca.vertsplit(x)) for coordinate in place]
     inputs, outputs = (tuple(map(str, range(size))) for size in (count, len(rows)))
