@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import os
 import sys
 
 from linkwright.interrupts import end, install
@@ -10,6 +11,7 @@ from linkwright.interrupts import end, install
 
 def main() -> None:
     """The program ``linkwright``."""
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # its matrices are small: more threads would wait, and cost time
     gc.set_threshold(50_000, 20, 100)  # nearly all objects of a run stay: looking for garbage takes a twentieth of it
     try:
         install()

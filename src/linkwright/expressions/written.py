@@ -145,7 +145,7 @@ def plain_number(raw: Any, wanted: str) -> int | float:
 class Frozen(BaseModel):
     """Base of the model's parts: immutable, and an unknown key is a fault."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", arbitrary_types_allowed=True)
+    model_config = ConfigDict(frozen=True, extra="forbid", arbitrary_types_allowed=True, defer_build=True)
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault] | Iterator[FaultWithin]:

@@ -6,6 +6,10 @@ import csv
 import io
 from collections.abc import Iterable
 from math import isfinite
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from linkwright import escape
 
@@ -18,6 +22,21 @@ def head(name: str, unit: str) -> str:
 def cell(value: float | int) -> str:
     """A number."""
     return repr(value) if isfinite(value) else ""
+
+
+def numbers_text(header: list[str], columns: Iterable[NDArray[Any]]) -> str:
+    """A table of numbers alone, from its columns; a cell is blank where a number isn't finite."""
+    stream = io.StringIO()
+    writer = csv.writer(stream, lineterminator="\n")  # writes a number as `cell` does
+    writer.writerow(map(escape.cell, header))
+    writer.writerows(zip(*map(_blanked, columns), strict=True))
+    return stream.getvalue()
+
+
+def _blanked(column: NDArray[Any]) -> list[Any]:
+    known = np.isfinite(column)
+    values: list[Any] = column.tolist()
+    return values if known.all() else [value if there else "" for value, there in zip(values, known, strict=True)]
 
 
 def table_text(header: list[str], rows: Iterable[list[str]]) -> str:

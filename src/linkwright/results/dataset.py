@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.units import TIME, Dimension
-from linkwright.model.csv_text import cell, head, table_text
+from linkwright.model.csv_text import head, numbers_text
 
 if TYPE_CHECKING:
     from linkwright.findings import Finding
@@ -50,10 +50,10 @@ class Variable:
         """The head of its column."""
         return head(self.column or self.name, self.unit)
 
-    def cells(self) -> list[Any]:
+    @property
+    def tabulated(self) -> NDArray[Any]:
         """Its values in tables."""
-        values: Any = self.values / self.size if self.values.dtype == float else self.values.astype(np.int64)
-        return [*values.tolist()]
+        return self.values / self.size if self.values.dtype == float else self.values.astype(np.int64)
 
 
 @dataclass(frozen=True)
@@ -70,8 +70,7 @@ class Dataset:
     def csv(self, axis: str) -> str | None:
         """The variables over an axis as a table, a row for each value; ``None`` where there are none."""
         some = self.over(axis)
-        rows = zip(*(variable.cells() for variable in some), strict=True)
-        return table_text([variable.head for variable in some], ([*map(cell, row)] for row in rows)) if some else None
+        return numbers_text([one.head for one in some], (one.tabulated for one in some)) if some else None
 
     def netcdf(self) -> bytes:
         """All of it as a netCDF file.

@@ -24,7 +24,7 @@ from linkwright.expressions.fields import Expression, Frozen
 from linkwright.expressions.typed_fields import Quantity
 from linkwright.findings import Finding, Joined
 from linkwright.kernels import Compiled
-from linkwright.model.csv_text import cell, head, table_text
+from linkwright.model.csv_text import head, numbers_text
 from linkwright.model.mechanism import FOLLOWING
 from linkwright.studies import RunContext
 from linkwright.words import say
@@ -128,4 +128,4 @@ def _table(holds: Sequence[Hold], driven: Sequence[TreeDrive], t: Array, q: Arra
     """The joints' coordinates and the actuators' controls over the motion."""
     heads = [head("t", "s"), *(head(hold.name, "rad" if hold.turns else "m") for hold in holds)]
     heads += [head(f"ctrl {m.drive}", "rad" if m.hold.turns else "m") for m in driven]
-    return table_text(heads, ([cell(float(value)) for value in row] for row in np.vstack([t, q, controls]).T))
+    return numbers_text(heads, np.vstack([t, q, controls]))

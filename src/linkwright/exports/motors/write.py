@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from linkwright.formulas.motor import MotorProgram, unit_of
 from linkwright.formulas.terms import number
 from linkwright.kernels import Compiled
-from linkwright.model.csv_text import cell, head, table_text
+from linkwright.model.csv_text import head, numbers_text, table_text
 from linkwright.words import say
 
 Array = NDArray[np.float64]
@@ -46,4 +46,4 @@ def values(compiled: Compiled, t: Array) -> str:
         np.broadcast_to(compiled.laws[d](t).d[0], t.shape) / size for d, (_, size) in zip(drives, units, strict=True)
     ]
     heads = [head("t", "s"), *(head(drive, unit) for drive, (unit, _) in zip(drives, units, strict=True))]
-    return table_text(heads, ([cell(float(number)) for number in row] for row in np.vstack([t, *columns]).T))
+    return numbers_text(heads, np.vstack([t, *columns]))
