@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from live_page import dragged
 
 import linkwright as lw
 from helpers.browsers import chromium
@@ -355,41 +356,17 @@ def test_a_phone(show: Callable[..., Opened]) -> None:
 
 
 LIMIT = 10.0
-"""Processor time (ms) that a frame of a drag may take."""
-METERS = ("ScriptDuration", "RecalcStyleDuration", "LayoutDuration")
-ROUND = """([x, y, frames]) => new Promise(done => {
-  const picture = linkwright.drawing.picture;
-  const step = (k = 0) => {
-    const [c, s] = [Math.cos(k * Math.PI / 10), Math.sin(k * Math.PI / 10)];
-    const at = { clientX: x + 8 * (c - 1), clientY: y - 8 * s, pointerId: 1, buttons: 1, bubbles: true };
-    picture.dispatchEvent(new PointerEvent("pointermove", { ...at, pointerType: "mouse", isPrimary: true }));
-    if (k < frames) requestAnimationFrame(() => step(k + 1)); else done();
-  };
-  requestAnimationFrame(() => step());
-})"""
-"""Moves the pointer that is down on a circle of 8 pixels through a place, once a frame."""
+"""Processor time (ms) of scripts, styles and layout that 95 % of a drag's frames may take."""
 
 
 @pytest.mark.parametrize(("example", "point"), [("paper_feeder", "C"), ("jansen_leg", "D"), ("loader", "S")])
 def test_processor_time_of_a_drag(show: Callable[..., Opened], example: str, point: str) -> None:
-    """Scripts, styles and layout by the thread's own clock, per frame of 60, once the engine has optimised; of three
-    rounds the quickest, as other processes share the caches. Twice the work fails in each of them."""
-    view = show(example)
-    view.page.evaluate("linkwright.drawing.setIndex(40)")
-    meter = view.page.context.new_cdp_session(view.page)
-    meter.send("Performance.enable", {"timeDomain": "threadTicks"})
-
-    def used() -> float:
-        found = {one["name"]: one["value"] for one in meter.send("Performance.getMetrics")["metrics"]}
-        return 1e3 * sum(found[name] for name in METERS)
-
-    here, spent = view.pin(point), list[float]()
-    view.page.mouse.move(here.real, -here.imag)
-    view.page.mouse.down()
-    for _ in range(4):
-        before = used()
-        view.page.evaluate(ROUND, [here.real, -here.imag, 60])
-        spent.append((used() - before) / 60)
-    view.page.mouse.up()
-    assert view.page.evaluate("linkwright.live.changed")
-    assert min(spent[1:]) < LIMIT
+    """By the thread's own clock, once the engine has optimised; in one of three rounds, as other processes share the
+    caches. Twice the work fails in each of them."""
+    page = show(example).page
+    for _ in range(3):
+        spent, _ = dragged(page.context.browser, page, point, 60)
+        assert spent.size > 40
+        if np.percentile(spent, 95) < LIMIT:
+            return
+    raise AssertionError(f"95 % of the frames took up to {np.percentile(spent, 95):.1f} ms")

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import groupby
 
-from linkwright.kernels.recorded_code import ARGUMENT, ENTRY, NUMBER, Named, RecordedCode, decimal
+from linkwright.kernels.recorded_code import ARGUMENT, ENTRY, NUMBER, Named, RecordedCode, Stored, decimal
 
 
 @dataclass(frozen=True)
@@ -66,14 +67,17 @@ def function(code: RecordedCode, name: str, arguments: str, called: Mapping[str,
     """A function's text. ``called`` gives the names of elementary functions."""
     names: dict[str, str] = {}
     parts, open_ = [before], False
-    for statement in code.statements():
-        text = _expression(code, statement.value, names, called)[0]
-        if isinstance(statement, Named):
-            names[statement.value] = name_of(len(names))
-            parts.append(f"{',' if open_ else 'const '}{names[statement.value]}={text}")
-        else:
-            parts.append(f"{';' if open_ else ''}{statement.array}[{statement.row}]={text};")
-        open_ = isinstance(statement, Named)
+    for value, same in groupby(code.statements(), key=lambda statement: statement.value):
+        text = _expression(code, value, names, called)[0]
+        stored = [*same]
+        if named := isinstance(stored[0], Named):
+            names[value] = name_of(len(names))
+            parts.append(f"{',' if open_ else 'const '}{names[value]}=")
+        elif open_:
+            parts.append(";")
+        parts += [f"{one.array}[{one.row}]=" for one in stored if isinstance(one, Stored)]
+        parts.append(text if named else f"{text};")
+        open_ = named
     if open_:
         parts.append(";")
     if code.result is not None:

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.compilation import compile_mechanism
+from linkwright.escape import printed
 from linkwright.expressions.units import ANGLE, LENGTH, TIME
 from linkwright.findings import ModelError
 from linkwright.graph.power_rows import PowerRow
@@ -157,7 +158,7 @@ def _numbers(made: PagePrograms, named: NamedNumbers, text: str) -> tuple[list[L
                 "high": float(f"{one['high']:.6g}"),
                 "tolerance": one["tolerance"],
                 "scale": float(f"{scales.get(dimension, abs(one['value']) or one['size']):.3g}"),
-                "unit": one["unit"],
+                "unit": printed(one["unit"]),
                 "size": one["size"],
                 "named": name not in named.numbers and name in stated,
                 "locked": "" if why is None else why.said("what"),

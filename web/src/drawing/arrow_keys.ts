@@ -4,7 +4,7 @@ import type { ArrowKind } from "../scene/data.ts";
 import { nice } from "../scene/numbers.ts";
 import { ARROW_KINDS, arrowPath, arrowScale } from "./arrows.ts";
 import { figure } from "./dimension_lines.ts";
-import { svg } from "./elements.ts";
+import { svg, write } from "./elements.ts";
 import { turnPath } from "./moments.ts";
 import type { Facts } from "./survey.ts";
 import type { View } from "./view.ts";
@@ -59,6 +59,6 @@ export function arrowKeys(facts: Facts, view: View, factors: Factors, say: Say, 
     bottom -= high;
     const group = svg("g", { class: "lw-key", transform: place }, parent);
     svg("path", { class: `lw-arrow lw-${kind}`, d: key.path }, group);
-    svg("text", { x: LONGEST + 8, dy: "0.35em" }, group).textContent = `${names[kind]}: ${key.text}`;
+    write(svg("text", { x: LONGEST + 8, dy: "0.35em" }, group), `${names[kind]}: ${key.text}`);
   }
 }

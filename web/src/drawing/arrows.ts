@@ -4,7 +4,7 @@
 import { type ArrowData, type ArrowKind, known, type LinkData, type Point } from "../scene/data.ts";
 import type { Scene, Values } from "../scene/data.ts";
 import { clamp } from "../scene/numbers.ts";
-import { svg } from "./elements.ts";
+import { set, svg } from "./elements.ts";
 import { turnPath } from "./moments.ts";
 import { between, place, poseOf, spot } from "./poses.ts";
 import type { Facts } from "./survey.ts";
@@ -108,7 +108,7 @@ export function arrows(facts: Facts, view: View, factors: ReadonlyMap<ArrowKind,
     for (const { arrow, scale, path } of parts) {
       const from = beginning(arrow, facts.times, sample, f);
       const vector = vectorOf(arrow, facts.times, sample, f);
-      path.setAttribute("d", from && vector !== null ? drawn(view.toScreen(from), vector, scale) : "");
+      set(path, "d", from && vector !== null ? drawn(view.toScreen(from), vector, scale) : "");
     }
   };
 }

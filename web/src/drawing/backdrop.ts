@@ -1,7 +1,7 @@
 // What does not move: grid, scale bar, ground symbols and fixed guides.
 
 import { nice } from "../scene/numbers.ts";
-import { svg } from "./elements.ts";
+import { svg, write } from "./elements.ts";
 import { BLOCK, type Guide } from "./guides.ts";
 import type { Pin } from "./pins.ts";
 import { place, poseOf } from "./poses.ts";
@@ -24,12 +24,12 @@ function grid({ width, height, toScreen, toWorld }: View, step: number, parent: 
   for (let i = Math.ceil(left / step); i * step < right; i++) {
     const x = round(toScreen([i * step, 0])[0]);
     svg("path", { d: `M${x} 0V${height}`, class: i ? "" : "lw-axis" }, parent);
-    if (!i) svg("text", { x: x + 5, y: 13 }, parent).textContent = "y";
+    if (!i) write(svg("text", { x: x + 5, y: 13 }, parent), "y");
   }
   for (let i = Math.ceil(bottom / step); i * step < top; i++) {
     const y = round(toScreen([0, i * step])[1]);
     svg("path", { d: `M0 ${y}H${width}`, class: i ? "" : "lw-axis" }, parent);
-    if (!i) svg("text", { x: width - 12, y: y - 5 }, parent).textContent = "x";
+    if (!i) write(svg("text", { x: width - 12, y: y - 5 }, parent), "x");
   }
 }
 
@@ -37,7 +37,7 @@ function scaleBar({ k, height }: View, step: number, unit: string, parent: Eleme
   const bar = svg("g", { class: "lw-scale", transform: `translate(14 ${height - 14})` }, parent);
   svg("path", { d: `M0 -5v5h${round(step * k)}v-5` }, bar);
   const value = Number(step.toPrecision(6));
-  svg("text", { x: round((step * k) / 2), y: -6 }, bar).textContent = `${value} ${unit}`;
+  write(svg("text", { x: round((step * k) / 2), y: -6 }, bar), `${value} ${unit}`);
 }
 
 /** A guide in the ground: its centre line, and hatching along the block's travel, never above the block. */

@@ -38,14 +38,14 @@ export function bodies(facts: Facts, view: View, r: number, parent: Element): Mo
     .map((link) => {
       const inLayer = (layer: Element) => svg("g", { class: colourOf(facts, link) }, layer);
       const groups = [inLayer(layers.slots), inLayer(layers.bodies), inLayer(layers.blocks)] as const;
-      const [slots, body, blocks] = groups;
+      const [slots, body] = groups;
       const sliding = slides(facts, link, toPixels, view.k, groups);
       outlines(link, slots);
       const points = Object.values(link.points).map(toPixels);
       const ring = hull(points).length;
       const drawn = inCylinder(facts.guides, link) ? ring > 2 : ring > 1 || !sliding;
       if (drawn) svg("path", { class: "lw-body", d: outline(points, r) }, body);
-      return { link, groups: [slots, body, blocks] };
+      return { link, groups: groups.filter((group) => group.hasChildNodes()) };
     });
   return (sample, f) => {
     for (const { link, groups } of [...fixed, ...moving]) {

@@ -1,6 +1,6 @@
 // Which of many texts are shown, and where: none over another.
 
-import { shown } from "./elements.ts";
+import { set, shown } from "./elements.ts";
 import { round } from "./written.ts";
 
 /** The most texts of a drawing. */
@@ -59,8 +59,8 @@ export function thinned(texts: readonly Placed[]): () => void {
       const box = boxes[before[i]!];
       shown(text, box !== undefined);
       if (!box || !before[i]) return;
-      text.setAttribute("x", String(round(box.x)));
-      text.setAttribute("y", String(round(box.y)));
+      set(text, "x", round(box.x));
+      set(text, "y", round(box.y));
     });
   };
 }

@@ -3,7 +3,7 @@
 import type { Point } from "../scene/data.ts";
 import { type Bar, barsOf, type Turned, turnedOf } from "./bars.ts";
 import { type Placed, textBox, widthOf } from "./crowding.ts";
-import { shown, svg } from "./elements.ts";
+import { set, shown, svg, write } from "./elements.ts";
 import { place, poseOf } from "./poses.ts";
 import type { Spot } from "./pins.ts";
 import type { Facts } from "./survey.ts";
@@ -37,14 +37,14 @@ export function dimensionLines(facts: Facts, original: Facts | null, view: View,
       const [a, b] = [at(bar.from), at(bar.to)];
       const was = before && original ? lengthOf(before, original, sample, f) : null;
       const there = a && b && lengthLine(view.toScreen(a), view.toScreen(b));
-      write(line, placed, there, a && b ? changed(Math.hypot(b[0] - a[0], b[1] - a[1]), was) : "");
+      lay(line, placed, there, a && b ? changed(Math.hypot(b[0] - a[0], b[1] - a[1]), was) : "");
     }
     for (const { turned, before, line, placed } of angles) {
       const vertex = at(turned.at);
       const angle = angleOf(turned, facts, sample, f);
       const was = before && original ? angleOf(before, original, sample, f) : null;
       const there = vertex && angle && angleLine(view.toScreen(vertex), angle.from, angle.by);
-      write(line, placed, there, angle ? `${changed(degrees(angle.by), was && degrees(was.by), 4)}°` : "");
+      lay(line, placed, there, angle ? `${changed(degrees(angle.by), was && degrees(was.by), 4)}°` : "");
     }
   };
   return { move, texts: [...angles, ...bars].map(({ placed }) => placed) };
@@ -55,15 +55,15 @@ interface Line {
   readonly middle: Point;
 }
 
-function write(line: SVGPathElement, placed: Placed, there: Line | null, text: string): void {
+function lay(line: SVGPathElement, placed: Placed, there: Line | null, text: string): void {
   shown(line, there !== null);
   placed.boxes = [];
   if (!there) return;
-  line.setAttribute("d", there.d);
+  set(line, "d", there.d);
   const [x, y] = there.middle;
-  placed.text.textContent = text;
-  placed.text.setAttribute("x", String(round(x)));
-  placed.text.setAttribute("y", String(round(y)));
+  write(placed.text, text);
+  set(placed.text, "x", round(x));
+  set(placed.text, "y", round(y));
   placed.boxes = [textBox(widthOf(text), x, y)];
 }
 

@@ -3,7 +3,7 @@
 import type { LinkData, Point } from "../scene/data.ts";
 import { clamp } from "../scene/numbers.ts";
 import { measured, type Placed, textBox } from "./crowding.ts";
-import { svg } from "./elements.ts";
+import { set, svg, write } from "./elements.ts";
 import { hull, mean, widestGap } from "./geometry.ts";
 import { BLOCK, onGuide } from "./guides.ts";
 import type { Pin, Spot } from "./pins.ts";
@@ -55,8 +55,8 @@ export function labels(
       const [dx, dy] = offset(pose);
       const into = (at: number): number => (half ? clamp(at, half + 4, view.width - half - 4) : at);
       const inside = into(x + dx);
-      text.setAttribute("x", String(round(inside)));
-      text.setAttribute("y", String(round(y + dy)));
+      set(text, "x", round(inside));
+      set(text, "y", round(y + dy));
       const box = textBox(label.width, inside, y + dy, anchor);
       label.boxes = half && (dx || dy) ? [box, { ...box, x: into(x - dx), y: y - dy }] : [box];
     }
@@ -68,7 +68,7 @@ function pinLabel(pin: Pin, direction: number, r: number, parent: Element): Labe
   const [dx, dy] = [Math.cos(direction), Math.sin(direction)];
   const anchor = dx > 0.3 ? "start" : dx < -0.3 ? "end" : "middle";
   const text = svg("text", { class: "lw-label", "text-anchor": anchor, dy: "0.35em" }, parent);
-  text.textContent = pin.name;
+  write(text, pin.name);
   const offset = (): Point => [dx * (r + 7), dy * (r + 9)];
   return { text, boxes: [], at: pin.places[0], half: 0, width: measured(text), anchor, offset };
 }
@@ -117,7 +117,7 @@ function linkLabel(link: LinkData, facts: Facts, r: number, parent: Element): La
   else if (slide?.cylinder && side === slide.guide) middle = onGuide(side, (slide.low + slide.high) / 4);
   const look = `lw-label lw-name ${slanted(link.name)} ${colourOf(facts, link)}`;
   const text = svg("text", { class: look, "text-anchor": "middle", dy: "0.35em" }, parent);
-  text.textContent = link.name;
+  write(text, link.name);
   const along = b ? Math.atan2(b[1] - a[1], b[0] - a[0]) : (side?.angle ?? 0);
   const away = b ? r + 3 : BLOCK.height / 2 + 6;
   const half = 3.2 * link.name.length;

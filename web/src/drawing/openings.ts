@@ -1,7 +1,7 @@
 // Pins that are open, because their links can't close: a dotted line from one link to the other, with its length.
 
 import type { Point } from "../scene/data.ts";
-import { shown, svg } from "./elements.ts";
+import { set, shown, svg, write } from "./elements.ts";
 import { place, poseOf } from "./poses.ts";
 import type { Facts } from "./survey.ts";
 import type { Move, View } from "./view.ts";
@@ -32,14 +32,14 @@ export function openings(facts: Facts, view: View, parent: Element): Move {
       shown(group, gap > LEAST * facts.size);
       if (!from || !to || gap <= LEAST * facts.size) continue;
       const [a, b] = [view.toScreen(from), view.toScreen(to)];
-      line.setAttribute("d", `M${inPath(a)}L${inPath(b)}`);
+      set(line, "d", `M${inPath(a)}L${inPath(b)}`);
       [a, b].forEach(([x, y], i) => {
-        ends[i]!.setAttribute("cx", String(round(x)));
-        ends[i]!.setAttribute("cy", String(round(y)));
+        set(ends[i]!, "cx", round(x));
+        set(ends[i]!, "cy", round(y));
       });
-      text.setAttribute("x", String(round((a[0] + b[0]) / 2)));
-      text.setAttribute("y", String(round((a[1] + b[1]) / 2 - 8)));
-      text.textContent = `${Number(gap.toPrecision(4))} ${facts.scene.length_unit}`;
+      set(text, "x", round((a[0] + b[0]) / 2));
+      set(text, "y", round((a[1] + b[1]) / 2 - 8));
+      write(text, `${Number(gap.toPrecision(4))} ${facts.scene.length_unit}`);
     }
   };
 }

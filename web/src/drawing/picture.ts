@@ -7,11 +7,12 @@ import { bodies } from "./bodies.ts";
 import { type Camera, HOME, through } from "./camera.ts";
 import { thinned } from "./crowding.ts";
 import { dimensionLines } from "./dimension_lines.ts";
-import { shown, svg } from "./elements.ts";
+import { set, shown, svg, write } from "./elements.ts";
 import { type Labels, labels } from "./labels.ts";
 import { openings } from "./openings.ts";
 import { areas, centrodes, traces } from "./paths.ts";
 import { pinCircles } from "./pin_circles.ts";
+import { put, refilled } from "./reused.ts";
 import { type Seen, usual } from "./seen.ts";
 import { springs } from "./springs.ts";
 import type { Box, Facts } from "./survey.ts";
@@ -60,23 +61,30 @@ interface Original {
 }
 
 /** Fills `root` anew. `ghosts`: samples drawn faintly. */
-export function draw(
+export const draw = (
+  root: SVGSVGElement,
+  facts: Facts,
+  size: Size,
+  say: Say,
+  ghosts: readonly number[] = [],
+): Drawn => refilled(root, () => filled(root, facts, size, say, ghosts));
+
+function filled(
   root: SVGSVGElement,
   facts: Facts,
   { width, most, least, box, camera = HOME, seen = usual(), rolling = [], original = null, before = null }: Size,
   say: Say,
-  ghosts: readonly number[] = [],
+  ghosts: readonly number[],
 ): Drawn {
   const fitted = fit(facts, width, most, box, least);
   const view = through(fitted, camera);
   const r = clamp(width / 90, 4.5, 7);
-  root.replaceChildren();
-  root.setAttribute("viewBox", `0 0 ${view.width} ${view.height}`);
+  set(root, "viewBox", `0 0 ${view.width} ${view.height}`);
   backdrop(facts, view, svg("g", {}, root));
   const behind = areas(facts, view, root);
   for (const sample of ghosts) bodies(facts, view, r, svg("g", { class: "lw-ghost" }, root))(sample, 0);
   const compared = original && originalOf(original, view, r, before);
-  if (compared) root.append(compared.group);
+  if (compared) put(compared.group, root);
   const paths = traces(facts, view, root);
   const rolled = centrodes(facts, view, rolling, root);
   const layer = (name: string) => svg("g", { class: name }, root);
@@ -95,10 +103,10 @@ export function draw(
   if (lengths) moves.push(lengths.move);
   moves.push(names.move);
   const [pins, links] = [seen.points ? names.pins : [], seen.links ? names.links : []];
-  for (const { text } of [...names.pins, ...names.links]) shown(text, false);
+  for (const { text } of [...(seen.points ? [] : names.pins), ...(seen.links ? [] : names.links)]) shown(text, false);
   const thin = thinned([...pins, ...(lengths?.texts ?? []), ...links]);
   const note = svg("text", { class: "lw-note", x: width / 2, y: 24, "text-anchor": "middle" }, root);
-  note.textContent = say("not_assembled");
+  write(note, say("not_assembled"));
   const show: Move = (sample, f) => {
     for (const move of moves) move(sample, f);
     thin();

@@ -1,7 +1,7 @@
 // Springs between points of links: coils, and struts as barrel and rod.
 
 import type { Point, SpringLook } from "../scene/data.ts";
-import { shown, svg } from "./elements.ts";
+import { set, shown, svg } from "./elements.ts";
 import type { Spot } from "./pins.ts";
 import { place, poseOf } from "./poses.ts";
 import type { Facts } from "./survey.ts";
@@ -29,7 +29,7 @@ export function springs(facts: Facts, view: View, r: number, parent: Element): M
       if (!there) continue;
       const start = view.toScreen(place(poses[0], from.local));
       const stop = view.toScreen(place(poses[1], to.local));
-      path.setAttribute("d", springPath(start, stop, look, r, barrel));
+      set(path, "d", springPath(start, stop, look, r, barrel));
     }
   };
 }

@@ -1,7 +1,7 @@
 // From the world to the screen.
 
 import type { Point } from "../scene/data.ts";
-import { shown } from "./elements.ts";
+import { set, shown } from "./elements.ts";
 import type { Pose } from "./poses.ts";
 import type { Box, Facts } from "./survey.ts";
 import { inPath, round } from "./written.ts";
@@ -45,13 +45,13 @@ export function putShape(shape: SVGGraphicsElement, pose: Pose | null, view: Vie
   shown(shape, pose !== null);
   if (!pose) return;
   const turn = [pose.c, -pose.s, pose.s, pose.c].map((value) => value.toFixed(6)).join(" ");
-  shape.setAttribute("transform", `matrix(${turn} ${inPath(view.toScreen([pose.x, pose.y]))})`);
+  set(shape, "transform", `matrix(${turn} ${inPath(view.toScreen([pose.x, pose.y]))})`);
 }
 
 /** Moves a circle to a place on the screen; without one it is out of sight. */
 export function putCircle(circle: SVGCircleElement, at: Point | null): void {
   shown(circle, at !== null);
   if (!at) return;
-  circle.setAttribute("cx", String(round(at[0])));
-  circle.setAttribute("cy", String(round(at[1])));
+  set(circle, "cx", round(at[0]));
+  set(circle, "cy", round(at[1]));
 }

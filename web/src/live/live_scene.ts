@@ -8,7 +8,11 @@ import type { LiveModel } from "./live_model.ts";
 import { slotAlong } from "./slot_shape.ts";
 
 /** A row in another unit. */
-const scaled = (row: Float64Array, size: number): Float64Array => row.map((value) => value / size);
+function scaled(row: Float64Array, size: number): Float64Array {
+  const found = new Float64Array(row.length);
+  for (let k = 0; k < row.length; k++) found[k] = row[k]! / size;
+  return found;
+}
 
 /** `base` in the motion of the moment: where links are, their shapes, the paths of points; where it can't close, links
  * as near to it as they come. */

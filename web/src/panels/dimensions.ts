@@ -68,7 +68,11 @@ function row(parent: Element, live: LiveModel, i: number, say: Say, why: string)
   const { label, unit, size, locked } = number;
   const line = html("div", { class: "dimension" }, parent);
   const id = `number-${i}`;
-  html("label", { for: id, title: why || `${label}` }, line, label);
+  const name = html("label", { for: id, title: why || `${label}` }, line);
+  for (const part of label.split(/(?<=\.)/)) {
+    name.append(part);
+    html("wbr", {}, name);
+  }
   const slider = html("input", { type: "range", "aria-label": label, ...span(number.low, number.high, size) }, line);
   const entry = html("input", { id, type: "text", inputmode: "decimal", autocomplete: "off" }, line);
   html("span", { class: "unit" }, line, unit);

@@ -82,7 +82,8 @@ export class Mechanism {
   /** All signals at some values of the free parameters, in their order. */
   run(free: ArrayLike<number>): Motion {
     const parameters = this.derived(free).slice();
-    const unknown = (): Float64Array => new Float64Array(this.times.length).fill(NaN);
+    const poses = this.times.length;
+    const all = new Float64Array(this.size * poses).fill(NaN); // one piece, as this is done at every frame of a drag
     const motion: Motion = {
       measured: [],
       rows: [],
@@ -90,7 +91,7 @@ export class Mechanism {
       parameters,
       failure: null,
     };
-    const rows = Array.from({ length: this.size }, unknown);
+    const rows = Array.from({ length: this.size }, (_, i) => all.subarray(i * poses, (i + 1) * poses));
     motion.rows = rows.slice(0, this.data.outputs);
     const rest = this.data.outputs + this.data.groups.length;
     motion.reaches = rows.slice(this.data.outputs, rest);
@@ -116,7 +117,7 @@ export class Mechanism {
     this.supply();
     this.times.forEach((_, k) => {
       this.only("signals").pose(this.poses[k]!, this.out);
-      for (let i = 0; i < this.size; i++) rows[i]![k] = this.out[i]!;
+      for (let i = 0; i < this.size; i++) all[i * poses + k] = this.out[i]!;
     });
     motion.failure = this.failure(motion, lost);
     return motion;
