@@ -47,6 +47,8 @@ AT_ONCE = 2
 TIMEOUT = 300.0  # seconds for one command, script or snippet
 OURS = f'"{sys.executable}" -m linkwright'
 REMAKE = "--remake"
+WARM = ROOT / "examples" / "four_bar.yaml"
+"""A small model, which the processes that commands fork off run first."""
 TAIL = 25  # lines shown of what failed
 ENGLISH, CHINESE = "en_US.UTF-8", "zh_CN.UTF-8"  # values of LANG for commands
 
@@ -196,10 +198,10 @@ class Forks(threading.local):
         if self.commands == 1 or not hasattr(os, "fork"):
             return None
         if self.server is None:
-            script, pipe = str(ROOT / "tools" / "forked_commands.py"), subprocess.PIPE
+            script, pipe = [str(ROOT / "tools" / "forked_commands.py"), str(WARM)], subprocess.PIPE
             environment = {**bare_environment(), "OPENBLAS_NUM_THREADS": "1"}  # its threads outlive no fork
             self.server = subprocess.Popen(
-                [sys.executable, script], env=environment, stdin=pipe, stdout=pipe, text=True
+                [sys.executable, *script], env=environment, stdin=pipe, stdout=pipe, text=True
             )
         assert self.server.stdin is not None
         assert self.server.stdout is not None
