@@ -15,6 +15,8 @@ from typing import Any, NamedTuple
 import casadi as ca
 import numpy as np
 
+from linkwright.graph import symbol_operators  # noqa: F401  (graphs are made with them)
+
 
 class Instruction(NamedTuple):
     """One step of a block: ``out = op(args)`` over work slots; constants and inputs are sources of slots."""

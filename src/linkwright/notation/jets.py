@@ -23,6 +23,8 @@ MAX_ORDER = 3
 
 def is_zero(value: Scalar) -> bool:
     """Whether a coefficient is the structural number 0 (an array or a free symbol never is)."""
+    if isinstance(value, np.ndarray):
+        return False
     if isinstance(value, int | float):
         return value == 0
     known = getattr(value, "is_zero", None)
@@ -54,7 +56,11 @@ def call(name: str, *args: Scalar) -> Scalar:
                 "maximum": "fmax",
                 "minimum": "fmin",
             }
-            return getattr(casadi, aliases.get(name, name))(*args)
+            own = aliases.get(name, name)
+            code = getattr(casadi, f"OP_{own.upper()}", None)
+            if len(args) == 1 and code is not None:  # casadi.sin(x) tries other types of numbers first, for 13 us
+                return casadi.SX.unary(code, arg)
+            return getattr(casadi, own)(*args)
     return getattr(np, name)(*args)
 
 
