@@ -18,7 +18,22 @@ X, Y, V, M = ca.SX.sym("x"), ca.SX.sym("y"), ca.SX.sym("v", 3), ca.SX.sym("M", 3
 SPARSE = ca.SX(3, 3)
 SPARSE[0, 1] = X
 SYMBOLS = [X, Y, V, M, SPARSE, X * Y + 1, -X, ca.SX(0), ca.SX(1)]
-OTHERS = [*SYMBOLS, 2.0, 0.0, 1.0, -1.0, 3, 0, True, np.float64(2.5), np.int64(3), np.ones(3), ca.DM([1, 2, 3]), np.nan]
+OTHERS = [
+    *SYMBOLS,
+    2.0,
+    0.0,
+    -0.0,
+    1.0,
+    -1.0,
+    3,
+    0,
+    True,
+    np.float64(2.5),
+    np.int64(3),
+    np.ones(3),
+    ca.DM([1, 2, 3]),
+    np.nan,
+]
 OWN = {"add": ca.plus, "sub": ca.minus, "mul": ca.times, "truediv": ca.rdivide}
 ODD = [ca.SX.sym("w", 2), "a", None, [1.0, "b"]]
 
