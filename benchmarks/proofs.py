@@ -39,20 +39,23 @@ class Case:
 def cases(part: str = "") -> Iterator[Case]:
     """The examples with extremes among their measures."""
     for path in sorted(EXAMPLES.glob("*.yaml")):
-        if part not in path.stem:
-            continue
-        examined = examine_file(path)
-        options = next((task.options for task in examined.tasks if task.study.name == "cycle"), None)
-        if examined.compiled is None or not isinstance(options, CycleOptions):
-            continue
-        stop, _ = span(examined.compiled, options)
-        run = Run(examined.compiled, 0.0, stop, options.samples)
-        if options.through == "keep":
-            run, _ = carry_through_change_points(run)
-        start = time.process_time()
-        claims = searched(run)
-        if claims:
-            yield Case(path.stem, run, claims, time.process_time() - start)
+        if part in path.stem and (found := case_of(path)):
+            yield found
+
+
+def case_of(path: Path) -> Case | None:
+    """An example, if it has extremes among its measures."""
+    examined = examine_file(path)
+    options = next((task.options for task in examined.tasks if task.study.name == "cycle"), None)
+    if examined.compiled is None or not isinstance(options, CycleOptions):
+        return None
+    stop, _ = span(examined.compiled, options)
+    run = Run(examined.compiled, 0.0, stop, options.samples)
+    if options.through == "keep":
+        run, _ = carry_through_change_points(run)
+    start = time.process_time()
+    claims = searched(run)
+    return Case(path.stem, run, claims, time.process_time() - start) if claims else None
 
 
 def searched(run: Run) -> dict[str, Claim]:

@@ -4,8 +4,16 @@ Lines of JSON come in by standard input: ``folder``, ``path`` (places before Pyt
 that it may take, and maybe ``environment`` (variables to set) and ``merged`` (standard error in standard output). A
 line of JSON leaves for each: exit code (negative where a signal ended it), standard output, standard error. Only where
 processes are forked.
+
+    forked_commands.py [MODEL]
+
+A model is run at the start: all that is imported and read once for commands is there then. Kinds of other packages are
+found by the first command, so that a ``path`` to some needs a process without a model.
 """
 
+import contextlib
+import gc
+import io
 import json
 import os
 import signal
@@ -23,6 +31,9 @@ def main() -> None:
     import linkwright.exports
     import linkwright.report  # noqa: F401  (all that commands import)
 
+    for model in sys.argv[1:]:
+        warm_up(model)
+    gc.freeze()  # what is there stays
     for line in sys.stdin:
         with tempfile.TemporaryDirectory() as folder:
             said = Path(folder, "out"), Path(folder, "err")
@@ -33,9 +44,22 @@ def main() -> None:
             print(json.dumps([os.waitstatus_to_exitcode(status), *texts]), flush=True)
 
 
+def warm_up(model: str) -> None:
+    """Run a model, of which nothing is kept."""
+    from linkwright.cli import main as command
+
+    with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()) as said:
+        sys.argv = ["linkwright", "run", model, "--out", str(Path(folder, "out"))]
+        try:
+            command()
+        except SystemExit as done:
+            if done.code:
+                raise SystemExit(f"{model} can't be run:\n{said.getvalue()}") from None
+
+
 def perform(asked: dict[str, Any], out: Path, err: Path) -> NoReturn:
     """One command line, in the fork."""
-    from linkwright.cli import main as command
+    from linkwright.__main__ import main as command
 
     signal.alarm(int(asked["seconds"]))
     code = 1

@@ -34,6 +34,7 @@ QUICK = {
     "cam": "groove_cam",
     "cycle": "four_bar",
     "limits": "bonnet_hinge",
+    "modes": "sauer_platform",
     "workspace": "five_bar_path",
 }
 """An example of a study that is performed sooner than the shortest one."""

@@ -39,9 +39,22 @@ def saved(path: Path, **options: Any) -> Path:
     return path
 
 
+FIVE = {"chord": 1e-3, "for": {"b": [30, 35, 20, 25, 28]}}
+
+
 @pytest.fixture
 def file(tmp_path: Path) -> Path:
-    return saved(tmp_path / "arm.yaml", chord=1e-3, **{"for": {"b": [30, 35, 20, 25, 28]}})
+    return saved(tmp_path / "arm.yaml", **FIVE)
+
+
+@pytest.fixture(scope="module")
+def whole_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What such a file gives when nothing stops it."""
+    folder = tmp_path_factory.mktemp("whole")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv(*DATE)
+        lw.run(saved(folder / "arm.yaml", **FIVE), folder / "out")
+    return folder / "out"
 
 
 @pytest.fixture(scope="module")
@@ -104,15 +117,14 @@ def test_resumed_it_writes_the_same_bytes(file: Path, tmp_path: Path) -> None:
     assert resumable(tmp_path / "out") == {}
 
 
-def test_interrupted_twice_it_keeps_what_both_have_done(file: Path, tmp_path: Path) -> None:
+def test_interrupted_twice_it_keeps_what_both_have_done(file: Path, whole_file: Path, tmp_path: Path) -> None:
     out = tmp_path / "out"
     interrupted(file, out, 1)
     first = {path.name for path in (out / FOLDER).iterdir()}
     interrupted(file, out, len(first) + 1)
     assert first < {path.name for path in (out / FOLDER).iterdir()}
     lw.run(file, out)
-    lw.run(file, tmp_path / "whole")
-    assert contents(out) == contents(tmp_path / "whole")
+    assert contents(out) == contents(whole_file)
 
 
 def test_a_changed_file_takes_nothing_that_is_stale(file: Path, tmp_path: Path) -> None:
@@ -126,15 +138,14 @@ def test_a_changed_file_takes_nothing_that_is_stale(file: Path, tmp_path: Path) 
     assert contents(out) == contents(tmp_path / "whole")
 
 
-def test_a_damaged_part_is_found_again_with_a_note(file: Path, tmp_path: Path) -> None:
+def test_a_damaged_part_is_found_again_with_a_note(file: Path, whole_file: Path, tmp_path: Path) -> None:
     out = tmp_path / "out"
     interrupted(file, out)
     path = min((out / FOLDER).iterdir())
     path.write_bytes(path.read_bytes()[:-100])
     result = call("workspace", file, "--out", out)
     assert result.exit_code == 0
-    lw.run(file, tmp_path / "whole")
-    damaged, whole = (json.loads((folder / "summary.json").read_text("utf-8")) for folder in (out, tmp_path / "whole"))
+    damaged, whole = (json.loads((folder / "summary.json").read_text("utf-8")) for folder in (out, whole_file))
     (note,) = damaged.pop("findings")
     assert (note["code"], note["severity"]) == ("workspace.part-damaged", "note") and path.name in note["what"]
     assert whole.pop("findings") == [] and damaged == whole
@@ -150,18 +161,22 @@ def test_regions_of_another_version_are_refused(file: Path, tmp_path: Path, monk
     assert call("workspace", file, "--out", tmp_path / "out", "--fresh").exit_code == 0
 
 
-def test_fresh_restarts(file: Path, tmp_path: Path) -> None:
+def test_fresh_restarts(file: Path, whole_file: Path, tmp_path: Path) -> None:
     out = tmp_path / "out"
     interrupted(file, out)
     for path in (out / FOLDER).iterdir():
         path.write_bytes(b"damaged")
     result = call("workspace", file, "--out", out, "--fresh")
     assert result.exit_code == 0 and "workspace.part-damaged" not in result.output
-    lw.workspace(file, out=tmp_path / "python", fresh=True)
-    assert contents(out) == contents(tmp_path / "python")
+    assert contents(out) == contents(whole_file)
+    saved(file, chord=1e-3)
+    interrupted(file, tmp_path / "python", 1)
+    for path in (tmp_path / "python" / FOLDER).iterdir():
+        path.write_bytes(b"damaged")
+    assert lw.workspace(file, out=tmp_path / "python", fresh=True).warnings == []
 
 
-def test_from_python(file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_from_python(file: Path, whole_file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Interrupted in ``lw.workspace``, resumed by the same call."""
 
     def interrupting(*given: Any) -> Any:
@@ -173,8 +188,7 @@ def test_from_python(file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     assert "resumes" in stopped.value.outcome.failures[-1].mend
     assert [*(tmp_path / "out" / FOLDER).iterdir()]
     assert lw.workspace(file, out=tmp_path / "out").done
-    lw.workspace(file, out=tmp_path / "whole")
-    assert contents(tmp_path / "out") == contents(tmp_path / "whole")
+    assert contents(tmp_path / "out") == contents(whole_file)
 
 
 def test_a_section_of_the_file_can_be_left_out(file: Path) -> None:

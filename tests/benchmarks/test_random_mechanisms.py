@@ -12,6 +12,7 @@ from judge import Judge
 from numpy.typing import NDArray
 from sketches import GROUPS, PERIOD, Sketch, sketch
 
+from helpers.longer import mostly_long
 from linkwright.compilation import compile_mechanism
 from linkwright.graph.rows import BodyPlace, Named
 from linkwright.kernels import Compiled
@@ -21,7 +22,7 @@ Array = NDArray[np.float64]
 T = np.linspace(0.0, PERIOD, 49)
 
 
-@pytest.mark.parametrize("first", range(0, 60, 10))
+@pytest.mark.parametrize("first", mostly_long(range(0, 60, 10), lambda first: first % 20 == 0))
 def test_ten_mechanisms(first: int) -> None:
     """Assembled and right, or refused by a finding; never wrong, never doubtful."""
     found = [script.judged(seed) for seed in range(first, first + 10)]

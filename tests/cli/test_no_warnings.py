@@ -14,6 +14,7 @@ import pytest
 from click.testing import CliRunner
 
 import linkwright as lw
+from helpers.longer import mostly_long
 from linkwright import gallery
 from linkwright.app.job import examine_file
 from linkwright.cli import cli
@@ -58,12 +59,12 @@ studies: {cycle: {turns: 1 motor}}
 
 
 CASES = [
-    pytest.param(path, command, id=f"{path.stem}-{command[-1]}")
+    pytest.param(path, command, id=f"{path.stem}-{command[-1]}", marks=[] if usual else [pytest.mark.long])
     for i, path in enumerate(MODELS)
     for j, command in enumerate(COMMANDS)
-    if (i + j) % 3 == 0
+    for usual in [(i + j) % len(COMMANDS) == 0]
 ]
-"""A third of all pairs, in which each model and each command comes up in turn."""
+"""All pairs; those usual in which each model comes up once and each command in turn."""
 
 
 @pytest.mark.parametrize(("path", "command"), CASES)
@@ -74,7 +75,7 @@ def test_commands_over_all_models(path: Path, command: list[str], tmp_path: Path
     assert "Warning" not in done.stderr
 
 
-@pytest.mark.parametrize("path", MODELS, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", mostly_long(MODELS, lambda path: path in MODELS[::3]), ids=lambda path: path.stem)
 def test_sweeps_over_all_models(path: Path) -> None:
     """Over lengths from a fifth to three times their own: many samples can't be assembled, or not all the way."""
     examined = examine_file(path)

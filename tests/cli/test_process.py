@@ -16,6 +16,7 @@ from typing import Any
 import pytest
 
 from app.models import NAMES, SOUND, STUCK
+from helpers.longer import mostly_long
 from helpers.outside import linkwright
 from linkwright.app.results_folder import LOCK
 from linkwright.words import say
@@ -139,7 +140,7 @@ def test_no_colours_or_wrapped_lines_in_a_pipe(model: Path) -> None:
     assert any(len(line) > 60 for line in result.stderr.splitlines())
 
 
-@pytest.mark.parametrize("encoding", ["ascii", "cp1252", "gbk"])
+@pytest.mark.parametrize("encoding", ["ascii", "cp1252", pytest.param("gbk", marks=pytest.mark.long)])
 def test_a_terminal_that_knows_few_letters(model: Path, encoding: str) -> None:
     """A tick it can't show is no reason to fail."""
     model.write_text(SOUND.replace("name: Four-bar", "name: Four-bar 四连杆 ä ✓"), "utf-8")
@@ -179,7 +180,10 @@ ASKED_IN_CHINESE = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("encoding", "language", "most"), [("gbk", "zh", 8), ("cp936", "en", 3), ("cp1252", "zh", 4)])
+@pytest.mark.parametrize(
+    ("encoding", "language", "most"),
+    [("gbk", "zh", 8), pytest.param("cp936", "en", 3, marks=pytest.mark.long), ("cp1252", "zh", 4)],
+)
 def test_consoles_of_chinese_and_western_systems(encoding: str, language: str, most: int, tmp_path: Path) -> None:
     """Letters that one lacks are replaced; nothing fails, and JSON is whole."""
     (model := tmp_path / "曲柄滑块.yaml").write_text(CHINESE, "utf-8")
@@ -196,7 +200,9 @@ def test_consoles_of_chinese_and_western_systems(encoding: str, language: str, m
             assert (encoding == "cp1252") or "行程" in result.stdout
 
 
-@pytest.mark.parametrize("name", ["zh_CN.GBK", "zh_CN.GB18030", "zh_CN.UTF-8", "zh_TW.Big5"])
+@pytest.mark.parametrize(
+    "name", mostly_long(["zh_CN.GBK", "zh_CN.GB18030", "zh_CN.UTF-8", "zh_TW.Big5"], lambda name: "GB1" not in name)
+)
 def test_the_language_of_a_chinese_system(name: str, model: Path) -> None:
     environment = {**os.environ, "LANG": name, "LC_ALL": name, "PYTHONIOENCODING": "utf-8", "PYTHONUTF8": "0"}
     result = run("check", model, env=environment)
@@ -207,9 +213,10 @@ def test_the_language_of_a_chinese_system(name: str, model: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "words", "code"),
     [
-        (SOUND, ["run"], 0), (SOUND, ["run", "--json"], 0), (SOUND, ["check"], 0), (SOUND, ["limits", "--json"], 0),
-        (STUCK, ["run"], 1), (NAMES, ["check", "--json"], 2), (SOUND, ["schema"], 0), (SOUND, ["new", "--list"], 0),
-        (SOUND, ["--help"], 0),
+        (SOUND, ["run"], 0), (SOUND, ["check"], 0), (STUCK, ["run"], 1), (NAMES, ["check", "--json"], 2),
+        (SOUND, ["schema"], 0), (SOUND, ["--help"], 0),
+        *(pytest.param(SOUND, words, 0, marks=pytest.mark.long)
+          for words in (["run", "--json"], ["limits", "--json"], ["new", "--list"])),
     ],
 )  # fmt: skip
 def test_a_reader_that_leaves_early(model: Path, text: str, words: list[str], code: int) -> None:
@@ -244,8 +251,13 @@ def test_standard_output_on_a_full_disk(model: Path, words: list[str]) -> None:
 
 
 @pytest.mark.skipif(os.name == "nt", reason="shells are POSIX's")
-@pytest.mark.parametrize(("text", "code"), [(SOUND, 0), (NAMES, 2)])
-@pytest.mark.parametrize("closed", [">&-", "2>&-", "<&- >&- 2>&-"])
+@pytest.mark.parametrize(
+    ("text", "code", "closed"),
+    [
+        (SOUND, 0, ">&-"), (SOUND, 0, "<&- >&- 2>&-"), (NAMES, 2, "2>&-"), (NAMES, 2, "<&- >&- 2>&-"),
+        pytest.param(SOUND, 0, "2>&-", marks=pytest.mark.long), pytest.param(NAMES, 2, ">&-", marks=pytest.mark.long),
+    ],
+)  # fmt: skip
 def test_closed_streams(model: Path, text: str, code: int, closed: str) -> None:
     """No file that is written gets the number of a closed stream, and so what is printed."""
     model.write_text(text, "utf-8")
@@ -270,7 +282,14 @@ main()
 
 @pytest.mark.skipif(os.name == "nt", reason="signals are POSIX's")
 @pytest.mark.parametrize(
-    "name", ["linkwright.cli", "click", "numpy._core._multiarray_umath", "pydantic_core._pydantic_core", "casadi"]
+    "name",
+    [
+        "linkwright.cli",
+        pytest.param("click", marks=pytest.mark.long),
+        "numpy._core._multiarray_umath",
+        pytest.param("pydantic_core._pydantic_core", marks=pytest.mark.long),
+        "casadi",
+    ],
 )
 def test_an_interrupt_within_an_import(model: Path, name: str) -> None:
     """Of one's own, of what compiled modules import for themselves: never another error, never lost."""
@@ -301,7 +320,7 @@ main()
 
 
 @pytest.mark.skipif(os.name == "nt", reason="signals are POSIX's")
-@pytest.mark.parametrize("delay", [0.0, 0.1, 0.5, 1.5])
+@pytest.mark.parametrize("delay", mostly_long([0.0, 0.1, 0.5, 1.5], lambda delay: delay != 0.1))
 def test_an_interrupt_leaves_nothing_half_written(tmp_path: Path, delay: float) -> None:
     """Whatever it is at: no traceback, and files in the folder are whole or not there."""
     path, out = tmp_path / "long.yaml", tmp_path / "out"
@@ -328,7 +347,7 @@ def test_an_interrupt_leaves_nothing_half_written(tmp_path: Path, delay: float) 
 
 
 @pytest.mark.skipif(os.name == "nt", reason="signals are POSIX's")
-@pytest.mark.parametrize("at", ["cycle.csv", "report.html", "summary.json"])
+@pytest.mark.parametrize("at", [pytest.param("cycle.csv", marks=pytest.mark.long), "report.html", "summary.json"])
 def test_an_interrupt_while_writing(model: Path, tmp_path: Path, at: str) -> None:
     """The signal comes when a file is written aside but not yet in its place; what is then said is true."""
     out = tmp_path / "out"

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Callable
+from functools import cache, partial
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -21,37 +24,40 @@ CASES: dict[str, Wheels] = {
     **{f"rolling: {name}": case for name, case in ROLLING.items()},
     **{f"belt: {name}": case for name, case in BELTS.items()},
 }
-Followed = dict[str, tuple[Toothed, list[State], dict[str, Array]]]
+Followed = tuple[Toothed, list[State], dict[str, Array]]
 
 
 def file(name: str) -> str:
     return re.sub(r"\W+", "_", name)
 
 
-@pytest.fixture(scope="module")
-def followed(tmp_path_factory: pytest.TempPathFactory) -> Followed:
-    """Of each mechanism its oracle, its states at some times, and the columns of its proven run there (SI)."""
-    folder, found = tmp_path_factory.mktemp("wheels"), {}
-    degree = np.pi / 180
+@cache
+def follow(folder: Path, name: str) -> Followed:
+    """A mechanism's oracle, its states at some times, and the columns of its proven run there (SI)."""
+    case, degree = CASES[name], np.pi / 180
     sizes = UNITS | {"mm/s": 1e-3, "mm/s^2": 1e-3, "deg/s": degree, "deg/s^2": degree}
-    for name, case in CASES.items():
-        (folder / f"{file(name)}.yaml").write_text(json.dumps(case.studied()), encoding="utf-8")
-        done = linkwright(folder, "run", f"{file(name)}.yaml", "--out", file(name))
-        assert done.returncode == 0, (name, done.stderr)
-        columns, _ = table(folder / file(name) / "cycle.csv")
-        own = {}
-        for head, values in columns.items():
-            text, unit = re.fullmatch(r"(.*?)(?: \[(.*)\])?", head).groups()  # type: ignore[union-attr]
-            if unit is None or unit in sizes or unit in ("W", "J"):
-                own[text] = values[::2] * sizes.get(unit or "", 1.0)
-        oracle = case.oracle()
-        found[name] = oracle, oracle.follow(own["t"]), own
-    return found
+    (folder / f"{file(name)}.yaml").write_text(json.dumps(case.studied()), encoding="utf-8")
+    done = linkwright(folder, "run", f"{file(name)}.yaml", "--out", file(name))
+    assert done.returncode == 0, (name, done.stderr)
+    columns, _ = table(folder / file(name) / "cycle.csv")
+    own = {}
+    for head, values in columns.items():
+        text, unit = re.fullmatch(r"(.*?)(?: \[(.*)\])?", head).groups()  # type: ignore[union-attr]
+        if unit is None or unit in sizes or unit in ("W", "J"):
+            own[text] = values[::2] * sizes.get(unit or "", 1.0)
+    oracle = case.oracle()
+    return oracle, oracle.follow(own["t"]), own
+
+
+@pytest.fixture(scope="module")
+def followed(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Followed]:
+    """Each mechanism followed once, when it is asked for."""
+    return partial(follow, tmp_path_factory.mktemp("wheels"))
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_they_move_as_raw_geometry_has_it(name: str, followed: Followed) -> None:
-    oracle, states, own = followed[name]
+def test_they_move_as_raw_geometry_has_it(name: str, followed: Callable[[str], Followed]) -> None:
+    oracle, states, own = followed(name)
     orders = {"angle": expected_angles(oracle, states), **expected_motion(oracle, states)}
     compared = 0
     for order, rows in orders.items():
@@ -65,9 +71,9 @@ def test_they_move_as_raw_geometry_has_it(name: str, followed: Followed) -> None
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_forces_are_those_of_newton_and_euler(name: str, followed: Followed) -> None:
+def test_forces_are_those_of_newton_and_euler(name: str, followed: Callable[[str], Followed]) -> None:
     """All pins, drives, the shaking force; and the forces of the teeth themselves."""
-    oracle, states, own = followed[name]
+    oracle, states, own = followed(name)
     rows = expected_forces(oracle, states)
     rows |= {key.rsplit(",", 1)[0] + ")" + key[key.rindex(")") + 1 :]: row for key, row in rows.items() if "(" in key}
     compared = [row for row in rows if row in own]
@@ -93,19 +99,19 @@ def test_forces_are_those_of_newton_and_euler(name: str, followed: Followed) -> 
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_power_is_force_times_speed(name: str, followed: Followed) -> None:
-    _, _, own = followed[name]
+def test_power_is_force_times_speed(name: str, followed: Callable[[str], Followed]) -> None:
+    _, _, own = followed(name)
     for joint in CASES[name].data["joints"]:
         if f"{joint}.power" in own:
             power = own[f"{joint}.tangential"] * own[f"{joint}.speed"]
             assert own[f"{joint}.power"] == pytest.approx(power, rel=1e-9, abs=1e-12)
 
 
-def test_the_cases_have_forces_of_both_signs(followed: Followed) -> None:
+def test_the_cases_have_forces_of_both_signs(followed: Callable[[str], Followed]) -> None:
     """Both flanks bear in most of them."""
     both = [
         name
-        for name, (_, _, own) in followed.items()
-        if any(row.endswith(".tangential") and values.min() < 0 < values.max() for row, values in own.items())
+        for name in CASES
+        if any(row.endswith(".tangential") and v.min() < 0 < v.max() for row, v in followed(name)[2].items())
     ]
     assert len(both) >= len(CASES) - 2

@@ -43,7 +43,7 @@ def test_every_registered_function_has_its_reference() -> None:
 
 
 @pytest.mark.parametrize("name", sorted(FUNCTIONS))
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=50, deadline=None)
 @given(data=st.data(), h=places, share=places)
 def test_function_holds_the_exact_value(name: str, data: st.DataObject, h: float, share: float) -> None:
     n = arity(name)
@@ -71,7 +71,7 @@ def _open() -> TaylorModel:
 
 
 @pytest.mark.parametrize("name", sorted(BINARY))
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=50, deadline=None)
 @given(a=models(), b=models(), h=places, s=places, r=places)
 def test_operator_holds_the_exact_value(name: str, a: Any, b: Any, h: float, s: float, r: float) -> None:
     p, q = (exact(m, h) + mpf(share) * mpf(float(m.r[0])) for m, share in ((a, s), (b, r)))

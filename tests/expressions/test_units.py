@@ -13,10 +13,15 @@ from linkwright.expressions.units import Dimension, UnitError, si_text, unit, un
 MM = {"length": "mm", "angle": "deg", "mass": "kg", "time": "s", "force": "N", "torque": "N*m"}
 
 
+@pytest.fixture(scope="module")
+def registry() -> pint.UnitRegistry:
+    """Pint's own, as it comes."""
+    return pint.UnitRegistry(cache_folder=None)
+
+
 @pytest.mark.parametrize("word", u.unit_words())
-def test_every_word_means_what_pint_says(word: str) -> None:
+def test_every_word_means_what_pint_says(word: str, registry: pint.UnitRegistry) -> None:
     """Also those that are built in so that pint needn't be loaded."""
-    registry = pint.UnitRegistry(cache_folder=None)
     name = u._WORDS[word]
     quantity = (1 * registry.parse_units(name)).to_base_units()
     factor, dimension = unit(word)

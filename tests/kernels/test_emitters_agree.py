@@ -44,6 +44,8 @@ CHOSEN = (
     "tailgate",
 )
 """Examples whose programs have all that those of the others have: compiling takes seconds each."""
+TRACED = ("cam_linkage", "class_four", "scotch_yoke")
+"""Of these, where compiling takes longest of all."""
 REGULAR = 1e-3
 ROUND_OFF = 1e-12
 Case = tuple[Program, np.ndarray, np.ndarray, np.ndarray, np.ndarray]
@@ -106,8 +108,15 @@ def test_compiled_on_every_example(kernel: str, path: Path) -> None:
     agrees(kernel, of_example(path, rates=False))
 
 
-@pytest.mark.parametrize("kernel", COMPILED)
-@pytest.mark.parametrize("name", CHOSEN)
+@pytest.mark.parametrize(
+    ("name", "kernel"),
+    [
+        pytest.param(name, *kernel.values, marks=[*kernel.marks, *([pytest.mark.long] if slow else [])])
+        for name in CHOSEN
+        for kernel in COMPILED
+        for slow in ["jax" in kernel.values and name not in TRACED]
+    ],
+)
 def test_on_chosen_examples(kernel: str, name: str) -> None:
     """Without rates, which double a program by the same kinds of instructions; the random mechanisms have them."""
     agrees(kernel, of_example(FOLDER / f"{name}.yaml", rates=False))

@@ -263,7 +263,7 @@ def cases(draw: st.DrawFn, name: str) -> tuple[LiveMeasure, Any, dict[Any, Any]]
 
 @pytest.mark.skipif(bool(lacking()), reason=lacking())
 @pytest.mark.parametrize("name", sorted(CASES))
-@settings(max_examples=100, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=30, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(data=st.data())
 def test_pages_take_any_samples_alike(name: str, data: st.DataObject) -> None:
     measure, t, rows = data.draw(cases(name))

@@ -17,6 +17,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from helpers.longer import mostly_long
 from kernels.test_parameter_batch import class_four, platform
 from linkwright.compilation import compile_mechanism
 from linkwright.expressions.units import si_text
@@ -146,8 +147,12 @@ ROUND_NOMINAL = [
 ]
 
 
+OTHERS = ("four_bar", "jansen_leg", "walking-leg", "pumpjack", "dwell-six-bar")
+"""Of these, what has the same kinds of measures and groups as another."""
+
+
 @pytest.mark.parametrize("samples", [2, pytest.param(8, marks=pytest.mark.long)])
-@pytest.mark.parametrize("path", ROUND_NOMINAL)
+@pytest.mark.parametrize("path", mostly_long(ROUND_NOMINAL, lambda path: Path(path).stem not in OTHERS))
 def test_each_sample_has_the_measures_of_its_own_run(path: str, samples: int) -> None:
     share = 0.002 if "tailgate" in path else 0.01
     many = Batch.round_nominal(path, share, samples).check()

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 import casadi as ca
 import numpy as np
@@ -18,8 +18,7 @@ import numpy as np
 from linkwright.notation.symbols import column
 
 
-@dataclass(frozen=True)
-class Instruction:
+class Instruction(NamedTuple):
     """One step of a block: ``out = op(args)`` over work slots; constants and inputs are sources of slots."""
 
     op: int

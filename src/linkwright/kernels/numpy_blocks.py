@@ -8,7 +8,9 @@ enough for the work slots to stay in cache.
 from __future__ import annotations
 
 import threading
+from collections import Counter
 from collections.abc import Callable
+from operator import itemgetter
 from typing import Any, ClassVar
 
 import casadi as ca
@@ -124,18 +126,32 @@ class _Stage:
 class _Plan:
     """A stage with its uniform part done: ``work`` is what is left, over rows of a block.
 
-    An instruction of ``work`` is (function, operands, row).
+    An instruction of ``work`` is its function and what takes its operands and its row out of a list of ``values``, in
+    which every row has its place: so a block binds thousands of calls in no time.
     """
 
     def __init__(self, stage: ExpressionStage, p: Array | None, kinds: tuple[int, int]) -> None:
         self.p, self.kinds = p, kinds
-        self.work: list[tuple[Callable[..., Any], tuple[Operand, ...], Row]] = []
-        self.outputs: list[tuple[int, int, Operand]] = []  # (place in work, output, its operand)
-        self.inputs: dict[Row, tuple[int, int]] = {}  # the rows that are copied in, by (0: x, 1: p; its row)
+        self.values: list[Operand] = []
+        self.places: dict[Row, int] = {}  # of rows in it
+        self.work: list[tuple[Callable[..., Any], itemgetter[Any]]] = []
+        self.outputs: list[tuple[int, int, int]] = []  # (number of the call, output, place of its operand)
+        self.inputs: dict[int, tuple[int, int]] = {}  # the places that are copied in, by (0: x, 1: p; its row)
         self.holds: dict[int, Operand] = {}  # what each slot stands for while the list is read
         with np.errstate(all="ignore"):
             for instruction in stage.instructions:
                 self.read(instruction)
+        self.rows = Counter(kind for kind, _ in self.places)
+
+    def place(self, operand: Operand) -> int:
+        """Where it is among the values."""
+        if isinstance(operand, float):
+            self.values.append(operand)
+            return len(self.values) - 1
+        if operand not in self.places:
+            self.places[operand] = len(self.values)
+            self.values.append(operand)
+        return self.places[operand]
 
     def read(self, i: Instruction) -> None:
         if i.op == ca.OP_CONST:
@@ -146,10 +162,10 @@ class _Plan:
                 self.holds[i.out] = float(self.p[row])
                 return
             to = self.kinds[which], -1 - 2 * row - which
-            self.inputs[to] = which, row
+            self.inputs[self.place(to)] = which, row
             self.holds[i.out] = to
         elif i.op == ca.OP_OUTPUT:
-            self.outputs.append((len(self.work) + len(self.outputs), i.out, self.holds[i.args[0]]))
+            self.outputs.append((len(self.work) + len(self.outputs), i.out, self.place(self.holds[i.args[0]])))
         else:
             self.compute(i)
 
@@ -161,8 +177,8 @@ class _Plan:
         if not kind:
             self.holds[i.out] = float(function(*operands))
         else:
-            self.work.append((function, tuple(operands), (kind, i.out)))
             self.holds[i.out] = kind, i.out
+            self.work.append((function, itemgetter(*map(self.place, (*operands, self.holds[i.out])))))
 
     def lookup(self, i: Instruction) -> tuple[Callable[..., Any], list[Operand]]:
         done = operation(i.op)
@@ -171,10 +187,10 @@ class _Plan:
 
 
 def _if_else_zero(condition: Any, value: Any, out: Array | None = None) -> Any:
-    result = np.where(np.asarray(condition) != 0, value, 0.0)
+    result = np.where(condition, value, 0.0)
     if out is None:
         return result
-    np.copyto(out, result)
+    out[...] = result
     return out
 
 
@@ -191,12 +207,12 @@ class _Block:
 
     def __init__(self, plan: _Plan, shapes: Shapes) -> None:
         self.plan = plan
-        rows = {row: np.empty(shapes[row[0]]) for row in {*plan.inputs, *(to for _, _, to in plan.work)}}
-        self.inputs = [(rows[row], *source) for row, source in plan.inputs.items()]
-        self.results = [o if isinstance(o, float) else rows[o] for _, _, o in plan.outputs]
+        rows = {kind: iter(np.empty((count, *shapes[kind]))) for kind, count in plan.rows.items()}
+        values: list[Any] = [o if isinstance(o, float) else next(rows[o[0]]) for o in plan.values]
+        self.inputs = [(values[at], *source) for at, source in plan.inputs.items()]
+        self.results = [values[at] for _, _, at in plan.outputs]
         self.calls: list[tuple[Callable[..., Any], tuple[Any, ...]]] = [
-            (function, (*(o if isinstance(o, float) else rows[o] for o in operands), rows[to]))
-            for function, operands, to in plan.work
+            (function, operands(values)) for function, operands in plan.work
         ]
         for place, _, _ in plan.outputs:
             self.calls.insert(place, (np.copyto, ()))

@@ -7,6 +7,8 @@ CasADi's own operators find their operation by trying the types of both operands
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from functools import lru_cache
+from math import copysign
 from typing import Any
 
 import casadi as ca
@@ -75,14 +77,23 @@ def _direct(op: int, dispatched: Callable[..., Any], reflected: bool) -> Callabl
     """An operator that names its operation, where the other operand is a scalar; the rest is CasADi's to dispatch."""
 
     def operator(self: Symbol, other: Any) -> Any:
-        if not isinstance(other, _SCALARS):
+        if isinstance(other, float):
+            other = _constant(other, copysign(1.0, other))
+        elif not isinstance(other, _SCALARS):
             return dispatched(self, other)
         return _own(ca.SX.binary(op, other, self) if reflected else ca.SX.binary(op, self, other))
 
     return operator
 
 
-_SCALARS = (ca.SX, float, int)
+_SCALARS = (ca.SX, int)
+
+
+@lru_cache(1024)
+def _constant(number: float, _sign: float) -> Any:
+    """A number as a symbol; a length or a mass comes again in a hundred products."""
+    return ca.SX(number)
+
 
 for _name, _op in (("add", ca.OP_ADD), ("sub", ca.OP_SUB), ("mul", ca.OP_MUL), ("truediv", ca.OP_DIV)):
     for _letter in ("", "r"):
