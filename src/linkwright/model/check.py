@@ -92,7 +92,7 @@ def _collisions(m: Mechanism) -> Iterator[Finding]:
 
 def _joints(m: Mechanism) -> Iterator[Finding]:
     points = links_of_points(m)
-    for name, joint in m.joints_but_pins():
+    for name, joint in m.joints.items():
         if isinstance(joint, JointEntry):
             for code, data, *within in joint.name_faults(m):
                 yield Finding(code, ("joints", name, *within), data)
