@@ -32,7 +32,7 @@ def model(
     names = [f"P{k + 1}" for k in range(pins)]
     angles = (radians(ARM) + 2 * pi * k / pins for k in range(pins))
     places = [[radius(n) * cos(angle), radius(n) * sin(angle)] for angle in angles]
-    on = "arm" if arm else "frame"
+    on, driver = "arm" if arm else "frame", {"O": [0, 0], **dict(zip(names, places, strict=True))}
     drive = {"geneva": ["driver", "wheel"], "centres": ["O", "Q"], "pins": names, "slots": n, "arc": arc(n)}
     data: dict[str, Any] = {
         "linkwright": 1,
@@ -40,14 +40,12 @@ def model(
         "gravity": [0, -9810],
         "links": {
             "frame": {"points": {"G": [0, 0]} if arm else centres},
-            "driver": {
-                "points": {"O": [0, 0], **dict(zip(names, places, strict=True))}, "mass": 1.5, "com": [8, -3], "inertia": 2500,
-            },
+            "driver": {"points": driver, "mass": 1.5, "com": [8, -3], "inertia": 2500},
             "wheel": {"points": {"Q": [0, 0], "T": [30, 40]}, "mass": 4, "com": [6, 11], "inertia": 9000},
         },
         "joints": {"indexing": {**drive, "slot": SLOT, **({"carrier": "arm"} if arm else {})}},
         "drives": {"motor": {"turns": "driver", "on": on, "speed": speed, "start": psi + LINE - ARM}},
-    }  # fmt: skip
+    }
     if arm:
         data["links"]["arm"] = {"points": {"G": [0, 0], **centres}, "mass": 2, "com": [50, 30], "inertia": 6000}
         data["drives"]["swing"] = {"turns": "arm", "on": "frame", "speed": "25 rpm", "start": "12 deg"}

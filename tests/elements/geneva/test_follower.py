@@ -181,12 +181,8 @@ def test_the_certificate_fails_wrong_numbers(row: Any, monkeypatch: pytest.Monke
 def test_the_certificate_fails_a_wheel_that_is_turned(monkeypatch: pytest.MonkeyPatch) -> None:
     run = Run(compiled_from(model(psi=40.0)), 0.0, 1.0, 200)
     c, s = run.compiled.evaluate([BodyPlace("wheel", "cos"), BodyPlace("wheel", "sin")], run.t)
-    told = lie(
-        monkeypatch, BodyPlace("wheel", "cos"), lambda y: c * cos(1e-6) - s * sin(1e-6) if y.shape == c.shape else y
-    )
-    told += lie(
-        monkeypatch, BodyPlace("wheel", "sin"), lambda y: s * cos(1e-6) + c * sin(1e-6) if y.shape == c.shape else y
-    )
+    for part, turned in (("cos", c * cos(1e-6) - s * sin(1e-6)), ("sin", s * cos(1e-6) + c * sin(1e-6))):
+        told = lie(monkeypatch, BodyPlace("wheel", part), lambda y, to=turned: to if y.shape == to.shape else y)
     wrong = certify(run)
     assert told
     assert "closure" in wrong.unproven(), wrong.residuals
@@ -202,16 +198,21 @@ def planted(monkeypatch: pytest.MonkeyPatch, name: str, wrong: Callable[..., Any
 def test_the_certificate_fails_a_wrong_motion(monkeypatch: pytest.MonkeyPatch) -> None:
     """A pin a millionth further out than it is, and slots that lie beside where they are."""
     with monkeypatch.context() as m:
-        assert {"closure", "power"} <= {
-            *planted(m, "advanced", lambda f, psi, ratio, half: f(psi, ratio * 1.000001, half))
-        }
+        wrong = planted(m, "advanced", lambda honest, psi, ratio, half: honest(psi, ratio * 1.000001, half))
+        assert {"closure", "power"} <= {*wrong}
     with monkeypatch.context() as m:
-        assert "closure" in planted(m, "advanced", lambda f, psi, ratio, half: f(psi, ratio, half) + 1e-6)
+        wrong = planted(m, "advanced", lambda honest, psi, ratio, half: honest(psi, ratio, half) + 1e-6)
+        assert "closure" in wrong
 
 
 def test_the_certificate_fails_a_wrong_contact(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The arc bears while a pin is in a slot."""
-    assert {"power"} <= {*planted(monkeypatch, "in_slot", lambda f, cosine, half: f(cosine, half * 1.01))}
+    """A pin that leaves its slot too early, and a horn that bears at another place of the disc."""
+    with monkeypatch.context() as m:
+        wrong = planted(m, "in_slot", lambda honest, cosine, half: honest(cosine, half * 1.01))
+        assert {"closure", "equilibrium", "work"} <= {*wrong}
+    with monkeypatch.context() as m:
+        m.setattr(contact.Dimensions, "horn", property(lambda self: (0.8, 0.6)))
+        assert "equilibrium" in certify(Run(compiled_from(model(psi=40.0, **LOAD)), 0.0, 1.0, 200)).unproven()
 
 
 # Where it stands in a mechanism.
