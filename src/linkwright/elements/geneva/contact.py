@@ -28,6 +28,8 @@ from dataclasses import dataclass
 from math import isfinite, pi
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from linkwright.elements.follower import FollowerGeometry, UnitEffort
 from linkwright.expressions import units as u
 from linkwright.notation import Jet, Pair, Scalar, Wrench
@@ -66,7 +68,7 @@ class Dimensions:
         centres = [geometry.pinned(*end) for end in zip(entry.wheels, entry.centres, strict=True)]
         shafts = [geometry.pinned(drive.on, point) for point in drive.shafts]
         arms = tuple(geometry.point(entry.wheels[0], pin).minus(centres[0]) for pin in entry.pins)
-        half = pi / geometry.number(entry.slots, u.PURE)
+        half = half_angle(geometry.number(entry.slots, u.PURE))
         slot, arc = geometry.number(entry.slot, u.ANGLE), geometry.number(entry.arc, u.LENGTH)
         return cls((centres[0], centres[1]), (shafts[0], shafts[1]), arms, half, slot, arc)
 
@@ -86,6 +88,12 @@ class Dimensions:
         a, reach = self.distance, self.distance * call("sin", self.half)
         cosine = (self.arc * self.arc + reach * reach) / (2.0 * (a * self.arc))
         return cosine, call("sqrt", 1.0 - cosine * cosine)
+
+
+def half_angle(slots: Scalar) -> Scalar:
+    """Half the angle (rad) between two slots; infinite without slots."""
+    with np.errstate(divide="ignore"):
+        return np.divide(pi, slots) if isinstance(slots, int | float) else pi / slots
 
 
 def length(vector: Pair) -> Scalar:

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import combinations
-from math import pi
 from typing import Annotated, Any, ClassVar
 
 import numpy as np
@@ -18,6 +17,7 @@ from pydantic import BeforeValidator
 from linkwright.elements.entries import NumberFault, StatedPlaces
 from linkwright.elements.fields import TwoLinks, point_of_joint
 from linkwright.elements.follower import FollowerEntry
+from linkwright.elements.geneva.contact import half_angle
 from linkwright.elements.pitch import WheelsEntry
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Name
@@ -49,8 +49,8 @@ class GenevaEntry(WheelsEntry, FollowerEntry):
 
     geneva: TwoLinks
     pins: Annotated[tuple[Annotated[Name, point_of_joint(0)], ...], BeforeValidator(_points)]
-    slots: Annotated[Expression, Quantity(u.PURE, Sign.POSITIVE, "slots", whole=True)]
-    arc: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE, "arc-radius")]
+    slots: Annotated[Expression, Quantity(u.PURE, whole=True)]
+    arc: Annotated[Expression, Quantity(u.LENGTH)]
     slot: Annotated[Expression, Quantity(u.ANGLE)] = Expression("0 deg")
 
     @property
@@ -76,11 +76,13 @@ class GenevaEntry(WheelsEntry, FollowerEntry):
         distance = call("sqrt", away.dot(away))
         data = {"carrier": self.carrier, "distance": places.text_of(distance, u.LENGTH)}
         yield distance, Sign.POSITIVE, ("geneva.concentric", data, "centres")
-        half, slack = call("sin", pi / n), EXACT if nominal else VARIED
+        if nominal and not (distance > 0 and n >= FEWEST - WHOLE):
+            return  # nothing else can be right
+        half, slack = call("sin", half_angle(n)), EXACT if nominal else VARIED
         centre = places.point(driver, self.centres[0])
         arms = [places.point(driver, pin).minus(centre) for pin in self.pins]
         yield from self._pin_faults(places, arms, distance, half, slack)
-        arc, least = places.number(self.arc, u.LENGTH), distance * (1.0 - call("cos", pi / n))
+        arc, least = places.number(self.arc, u.LENGTH), distance * (1.0 - call("cos", half_angle(n)))
         shown = {"radius": arc, "low": least, "high": distance * half}
         texts = {key: places.text_of(value, u.LENGTH) for key, value in shown.items()}
         for margin in (arc - least, distance * half - arc):

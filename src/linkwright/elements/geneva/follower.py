@@ -25,6 +25,7 @@ from linkwright.elements.geneva.entry import GenevaEntry
 from linkwright.elements.geneva.shape import outline
 from linkwright.elements.geneva.support import unsupported
 from linkwright.elements.joint import Applied, Miss
+from linkwright.elements.points import FRAME
 from linkwright.expressions import units as u
 from linkwright.expressions.language import Binary, Call, Name, Node
 from linkwright.expressions.typed_fields import Path
@@ -53,6 +54,8 @@ class GenevaDrive(Follower):
         shafts = entry.carrier_points(m)
         turning = ((name, one) for name, one in m.drives.items() if one.turns and one.output is None)
         motor = next((name for name, one in turning if {one.link, one.on} == {driver, entry.carrier}), None)
+        if entry.carrier == FRAME and FRAME in entry.wheels:
+            return [Finding("geneva.frame", path)]
         if len({driver, wheel, entry.carrier}) < 3 or None in shafts:
             return []  # told with how it lies among the links
         if motor is None:

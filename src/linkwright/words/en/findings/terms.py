@@ -49,8 +49,6 @@ TERMS: dict[str, str] = {
     "kind-cam": "cam",
     "kind-gears": "gears in mesh",
     "kind-geneva": "Geneva drive",
-    "slots": "number of slots",
-    "arc-radius": "radius of the locking arc",
     "kind-rack": "rack and pinion",
     "kind-rolling": "rolling contact",
     "kind-belt": "belt or chain",

@@ -99,6 +99,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "Give the driver a drive of its own, for example 'drives: {{motor: {{turns: {driver}, on: {carrier}, speed: 60 rpm, start: "
         "0 deg}}}}'; a drive whose law is that of an output doesn't count.",
     ),
+    "geneva.frame": (
+        "The frame is driver or wheel of this Geneva drive, and it can't be the link that carries both too.",
+        "Name the link that is pinned to driver and wheel at their centres, for example 'carrier: arm'.",
+    ),
     "geneva.slots": (
         "The number of slots isn't a whole number of at least 3.",
         "For example slots: 4, or 6 for a smaller peak acceleration.",

@@ -49,8 +49,6 @@ TERMS: dict[str, str] = {
     "kind-cam": "凸轮副",
     "kind-gears": "齿轮副",
     "kind-geneva": "槽轮机构",
-    "slots": "槽数",
-    "arc-radius": "锁止弧半径",
     "kind-rack": "齿轮齿条副",
     "kind-rolling": "滚动接触",
     "kind-belt": "带或链传动",

@@ -89,6 +89,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "没有驱动使该槽轮机构的拨盘“{driver}”相对“{carrier}”转动，槽轮因此没有运动规律。",
         "为拨盘给出驱动，例如“drives: {{motor: {{turns: {driver}, on: {carrier}, speed: 60 rpm, start: 0 deg}}}}”；按输出构件给出规律的驱动不算在内。",
     ),
+    "geneva.frame": (
+        "机架是该槽轮机构的拨盘或槽轮，不能同时作为支承两者的构件。",
+        "用 carrier 给出在两个中心处与拨盘和槽轮铰接的构件，例如“carrier: arm”。",
+    ),
     "geneva.slots": (
         "槽数不是大于等于 3 的整数。",
         "例如 slots: 4；要减小最大角加速度可用 6。",
