@@ -20,7 +20,7 @@ from model.test_fuzz import mutated
 
 FILE = Path(__file__).parents[3] / "examples" / "geneva_drive.yaml"
 TEXT = FILE.read_text(encoding="utf-8")
-JOINT = "indexing: {geneva: [driver, table], centres: [O, Q], pins: [P], slots: n, arc: 55}"
+JOINT = "indexing: {geneva: [driver, table], centres: [O, Q], pins: [P], slots: n, arc: r - 15}"
 assert JOINT in TEXT
 
 
@@ -31,10 +31,10 @@ def findings(text: str) -> list[Finding]:
 
 REFUSED = {
     "a shock at entry": ("r: c*sin(180 deg/n) + off", "r: 60", "geneva.entry", "60 mm from O"),
-    "a disc that is too large": ("arc: 55", "arc: 71", "geneva.arc", "29.2893 mm"),
-    "a disc that is too small": ("arc: 55", "arc: 29", "geneva.arc", "70.7107 mm"),
-    "a disc below nothing": ("arc: 55", "arc: -10", "geneva.arc", "-10 mm"),
-    "an arc in degrees": ("arc: 55", "arc: 55 deg", "expression.units-conflict", "mm"),
+    "a disc that is too large": ("arc: r - 15", "arc: 71", "geneva.arc", "29.2893 mm"),
+    "a disc that is too small": ("arc: r - 15", "arc: 29", "geneva.arc", "70.7107 mm"),
+    "a disc below nothing": ("arc: r - 15", "arc: -10", "geneva.arc", "-10 mm"),
+    "an arc in degrees": ("arc: r - 15", "arc: 55 deg", "expression.units-conflict", "mm"),
     "half a slot": ("slots: n", "slots: 4.5", "geneva.slots", "at least 3"),
     "two slots": ("slots: n", "slots: 2", "geneva.slots", "at least 3"),
     "no slots": ("slots: n", "slots: 0", "geneva.slots", "at least 3"),
@@ -45,15 +45,15 @@ REFUSED = {
     "a pin twice": ("pins: [P]", "pins: [P, P]", "geneva.pins", "same time"),
     "a pin in the middle": ("pins: [P]", "pins: [O]", "geneva.entry", "0 mm from O"),
     "centres elsewhere": ("centres: [O, Q]", "centres: [P, Q]", "joint.carrier", "driver at P"),
-    "a carrier that isn't there": ("arc: 55}", "arc: 55, carrier: arm}", "name.unknown", "driver"),
-    "a carrier that is the wheel": ("arc: 55}", "arc: 55, carrier: table}", "joint.same-link", "table"),
+    "a carrier that isn't there": ("arc: r - 15}", "arc: r - 15, carrier: arm}", "name.unknown", "driver"),
+    "a carrier that is the wheel": ("arc: r - 15}", "arc: r - 15, carrier: table}", "joint.same-link", "table"),
     "the frame as wheel": ("[driver, table]", "[driver, frame]", "geneva.frame", "carrier: arm"),
     "a link that isn't there": ("[driver, table]", "[drive, table]", "name.unknown", "driver"),
     "one link": ("[driver, table]", "[driver]", "file.expected", "LINK"),
     "a driver without a drive": ("turns: driver", "turns: table", "geneva.motor", "turns: driver"),
     "a drive by its output": ("start: 180 deg}", "start: 180 deg, output: table}", "geneva.motor", "output"),
     "no distance": ("Q: [c, 0]", "Q: [0, 0]", "geneva.concentric", "frame"),
-    "a missing key": (", arc: 55", "", "file.missing", "slots"),
+    "a missing key": (", arc: r - 15", "", "file.missing", "slots"),
     "a key that isn't known": ("slots: n", "slots: n, slto: 0", "file.unknown-key", "slot"),
     "a wheel with a drive": (
         "loads:", "  other: {turns: table, on: frame, speed: 1 rpm, start: 0}\nloads:", "drive.twice", "other",
@@ -84,7 +84,7 @@ def test_what_is_refused(case: str) -> None:
 
 
 def test_everything_wrong_is_told_at_once() -> None:
-    text = TEXT.replace("arc: 55", "arc: 80").replace("r: c*sin(180 deg/n) + off", "r: 60")
+    text = TEXT.replace("arc: r - 15", "arc: 80").replace("r: c*sin(180 deg/n) + off", "r: 60")
     text = text.replace("slots: n", "slots: 4.5").replace("mass: 6", "mass: -6")
     codes = [finding.code for finding in findings(text)]
     assert {"geneva.arc", "geneva.entry", "geneva.slots", "value.too-small"} <= {*codes}
