@@ -26,6 +26,7 @@ import pytest
 import linkwright as lw
 from elements.geneva.drives import LINE, model
 from helpers.compiled import compiled_from
+from linkwright.elements.geneva.sentence import peaks as said
 
 SLOTS = [3, 4, 5, 6, 7, 8]
 PRINTED = {3: (6.46, 31.4), 4: (2.41, 5.41), 5: (1.43, 2.30), 6: (1.00, 1.35), 8: (0.620, 0.700)}
@@ -42,7 +43,12 @@ def peaks(n: int) -> tuple[Any, Any, Any]:
     """Peak speed, peak acceleration and where that is (rad), by numerical derivatives with 40 digits."""
     with mp.workdps(40):
         speed = mp.diff(lambda alpha: seen(n, alpha), 0)
-        at = mp.findroot(lambda alpha: mp.diff(lambda x: seen(n, x), alpha, 3), (0.02 * n, 0.04 * n))
+        at = mp.findroot(
+            lambda alpha: mp.diff(lambda x: seen(n, x), alpha, 3),
+            (mp.mpf(3) / 100 * n, mp.mpf(5) / 100 * n)
+            if n < 9
+            else (mp.pi / 2 - mp.mpf(12) / n, mp.pi / 2 - mp.mpf(13) / n),
+        )
         return speed, abs(mp.diff(lambda alpha: seen(n, alpha), at, 2)), abs(at)
 
 
@@ -76,6 +82,13 @@ def test_peaks_are_those_of_the_closed_forms(n: int) -> None:
     if n in PRINTED:
         for value, printed in zip((found["speed"].value, found["acceleration"].value), PRINTED[n], strict=True):
             assert f"{value:.3g}" == f"{printed:.3g}"
+
+
+@pytest.mark.parametrize("n", [*SLOTS, 12, 60])
+def test_what_is_said_beforehand_is_right(n: int) -> None:
+    """Peaks in the summary of a drive, by closed forms."""
+    speed, acceleration, at = peaks(n)
+    assert said(n) == pytest.approx((float(speed), float(acceleration), float(at)), rel=1e-12)
 
 
 @pytest.mark.parametrize("n", SLOTS)

@@ -24,7 +24,7 @@ from linkwright.expressions import units as u
 from linkwright.expressions.language import Call, Node
 from linkwright.expressions.typed_fields import Path
 from linkwright.expressions.units import Dimension
-from linkwright.findings import Finding, Term
+from linkwright.findings import Finding, Term, Text
 from linkwright.laws import Motion
 from linkwright.notation import Jet, Pair, Scalar, Wrench
 from linkwright.notation.registry import Registry
@@ -273,6 +273,10 @@ class Follower(MoverSignals, ABC):
         """Expressions of signals that change their sign where parts of its value meet, besides the joins of laws: its
         value and rate run on there, its acceleration and its contact may jump."""
         return ()
+
+    def sentence(self, geometry: FollowerGeometry) -> Text | None:
+        """What its motion is, for the reader, where it follows no motion law."""
+        return None
 
     def outline(self, geometry: FollowerGeometry) -> Sequence[Curve]:
         """What is drawn of it: closed lines on links, as :meth:`JointKind.outline` has them."""

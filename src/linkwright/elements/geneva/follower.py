@@ -22,6 +22,7 @@ from linkwright.elements.force import SignalChart
 from linkwright.elements.geneva import proof
 from linkwright.elements.geneva.contact import Dimensions, Indexing, contact
 from linkwright.elements.geneva.entry import GenevaEntry
+from linkwright.elements.geneva.sentence import sentence
 from linkwright.elements.geneva.shape import outline
 from linkwright.elements.geneva.support import unsupported
 from linkwright.elements.joint import Applied, Miss
@@ -30,7 +31,7 @@ from linkwright.expressions import units as u
 from linkwright.expressions.language import Binary, Call, Name, Node
 from linkwright.expressions.typed_fields import Path
 from linkwright.expressions.units import Dimension
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Said
 from linkwright.notation import Jet, Scalar
 
 
@@ -84,7 +85,7 @@ class GenevaDrive(Follower):
 
     @property
     def charts(self) -> Sequence[SignalChart]:
-        return [SignalChart("contact", "force", self.effort)]
+        return [SignalChart("follower", "force", self.effort), SignalChart("follower", "motion", "engaged")]
 
     def relation(self, geometry: FollowerGeometry, motions: Motions) -> MotorRelation:
         indexing = Indexing(self, Dimensions.of(geometry, self))
@@ -111,6 +112,9 @@ class GenevaDrive(Follower):
             size = Binary("*", Call("hypot", arm), Call("hypot", line))
             found.append(Binary("-", Binary("/", along, size), half))
         return found
+
+    def sentence(self, geometry: FollowerGeometry) -> Said:
+        return sentence(geometry, self)
 
     def outline(self, geometry: FollowerGeometry) -> list[Curve]:
         return outline(Dimensions.of(geometry, self), *self.geneva.wheels, geometry.nominal, self.geneva)
