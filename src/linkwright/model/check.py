@@ -154,7 +154,7 @@ def _resisting(m: Mechanism) -> Iterator[Finding]:
             yield Finding("friction.still", one.path)
         yield from one.kind.moment_faults(one.path, one.entry, one.kind.rubs_in(one.entry) not in in_loops(m))
         for name, follower in m.followers.items():
-            if follower.has_second_contact:
+            if follower.has_second_contact and one.kind.rubs_in(one.entry) == name:
                 yield Finding("friction.second-contact", one.path, {"name": name})
 
 

@@ -58,9 +58,6 @@ REFUSED = {
     "a wheel with a drive": (
         "loads:", "  other: {turns: table, on: frame, speed: 1 rpm, start: 0}\nloads:", "drive.twice", "other",
     ),
-    "friction in a bearing": (
-        "loads:", "friction: {b: {pin: Q, radius: 5, coefficient: 0.1}}\nloads:", "friction.second-contact", "indexing",
-    ),
     "friction in the slot": (
         "loads:", "friction: {b: {contact: indexing, coefficient: 0.1}}\nloads:", "name.unknown", "indexing",
     ),
