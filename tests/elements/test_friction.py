@@ -55,11 +55,11 @@ def test_refused_by_name(code: str, entry: dict[str, Any]) -> None:
 
 
 def test_refused_where_statics_says_nothing() -> None:
-    """In loops of slides, beside a follower with two contacts, in structures."""
+    """In loops of slides, in a contact on two sides, in structures."""
     examples = Path(__file__).parents[2] / "examples"
     cases = {
         "wedge_press": ("friction.loop", {"slide": "ANY", "length": 2, "coefficient": 0.1}),
-        "conjugate_cam": ("friction.second-contact", {"pin": "O", "radius": 2, "coefficient": 0.1}),
+        "conjugate_cam": ("friction.second-contact", {"contact": "sley_drive", "radius": 2, "coefficient": 0.1}),
         "bracket": ("friction.still", {"pin": "A", "radius": 2, "coefficient": 0.1}),
     }
     for name, (code, entry) in cases.items():

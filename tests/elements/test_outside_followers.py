@@ -298,6 +298,62 @@ def test_a_motor_whose_law_is_its_outputs_is_refused(folder: Path) -> None:
     assert "[joint.follower-output]" in run(folder, model, "check", "model.yaml").stderr
 
 
+# A kind whose parts meet where no motion law has a join.
+
+
+def running_up(**how: Any) -> dict[str, Any]:
+    joint = {"run_up": ["table", "frame"], "motor": "motor", "from": "begin", "over": "200 deg", **how}
+    model = changed(joints={"step": joint}, parameters={"begin": {"value": "100 deg", "tolerance": "1 deg"}})
+    del model["laws"], model["parameters"]["h"], model["gravity"]
+    model["measures"] = {"peak": {"max": "table.alpha"}, "rms": {"rms": "table.alpha"}, "low": {"min": "step.torque"}}
+    return model
+
+
+def measured(folder: Path) -> dict[str, float]:
+    summary = json.loads((folder / "out" / "summary.json").read_text(encoding="utf-8"))
+    return {name: one["value"] for name, one in summary["measures"].items()}
+
+
+def test_a_join_of_its_own_is_a_break(folder: Path) -> None:
+    """Its acceleration jumps at 94 of 360 degrees."""
+    peak, rms = 2 * 360**2 / 200, 2 * 360**2 / 200 * (1 - 94 / 360) ** 0.5
+    done = run(folder, running_up())
+    assert done.returncode == 0, done.stderr
+    assert "runs up from 100 deg on" in " ".join(run(folder, running_up(), "check", "model.yaml").stdout.split())
+    found = measured(folder)
+    assert (found["peak"], found["rms"], found["low"]) == pytest.approx((peak, rms, 0), rel=1e-12)
+    assert '"outlines"' in (folder / "out" / "report.html").read_text(encoding="utf-8")
+
+
+def test_derivatives_follow_a_join_of_its_own(folder: Path) -> None:
+    """The mean square falls by a 360th of that of the peak for each degree by which the join comes later."""
+    model = running_up()
+    model["studies"]["accuracy"] = {"outputs": ["rms", "peak"]}
+    fall = 1296 / 720 / (1 - 94 / 360) ** 0.5
+    for known in (True, False):
+        if not known:
+            planted(folder, "run_up", ("def joins(", "def other("))
+        done = run(folder, model, "accuracy", "model.yaml", "--out", f"out{known}", "--json", "--samples", "0")
+        assert done.returncode == 0, done.stderr
+        found = json.loads(done.stdout)["accuracy"]
+        assert (found["rms"]["worst_case"]["deviation"] == pytest.approx([-fall, fall], rel=1e-8)) == known
+        assert found["peak"]["worst_case"]["deviation"] == pytest.approx([0, 0], abs=1e-9)
+
+
+def test_what_its_links_miss_is_part_of_the_closure(folder: Path) -> None:
+    planted(folder, "run_up", ("y * np.cos(expected)", "1e-6 + y * np.cos(expected)"))
+    done = run(folder, running_up())
+    assert done.returncode == 1
+    assert "motion.unproven" in done.stderr
+
+
+def test_conditions_of_its_entry_are_told(folder: Path) -> None:
+    done = run(folder, running_up(over="-200 deg"), "check", "model.yaml")
+    assert "joints.step.over: The length of the run-up isn't positive." in done.stderr
+    done = run(folder, running_up(run_up=["table", "barrel"]), "check", "model.yaml")
+    assert "joints.step.run_up: It stands on barrel." in done.stderr
+
+
 # Gears on a link that follows a drive.
 
 SWING = {"over": "angle", "of": "angle", "segments": [{"rise": 30, "over": 180}, {"fall": 30, "over": 180}]}

@@ -73,3 +73,23 @@ def test_slots_follow_a_change(show: Any, tmp_path: Path, example: str, changes:
     view.page.evaluate("linkwright.live.reset()")
     view.settle()
     assert view.page.evaluate(OUTLINES) == before
+
+
+def test_a_geneva_drive_follows_a_change(show: Any) -> None:
+    """Wheel, locking disc and pin for another centre distance are those of Python, without a rest."""
+    document = lw.load(EXAMPLES / "geneva_drive.yaml")
+    text = (EXAMPLES / "geneva_drive.yaml").read_text(encoding="utf-8")
+    view = show(report_data(document, lw.run(document).outcomes, text=text))
+    before = view.page.evaluate(OUTLINES)
+    view.set("c", 0.115)
+    after = view.page.evaluate(OUTLINES)
+    changed = document.replace(c=115)
+    links = report_data(changed, lw.run(changed).outcomes)["scene"]["links"]
+    drawn = {link["name"]: link["outlines"] for link in links if "outlines" in link}
+    assert after.keys() == drawn.keys() == before.keys() == {"driver", "table"}
+    assert [len(lines) for lines in drawn.values()] == [2, 1]
+    for link, lines in drawn.items():
+        for line, shown, was in zip(lines, after[link], before[link], strict=True):
+            edge, here, former = (shapely.LinearRing(each) for each in (line, shown, was))
+            assert edge.is_valid
+            assert edge.hausdorff_distance(here) < 1e-3 * edge.hausdorff_distance(former)

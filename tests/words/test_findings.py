@@ -64,6 +64,7 @@ TITLES = {
     "spring": "Springs",
     "friction": "Friction",
     "gears": "Gears, racks and rolling contact",
+    "geneva": "Geneva drives",
     "belt": "Belts and chains",
     "table": "Tables",
     "drawing": "Drawings",

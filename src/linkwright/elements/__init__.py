@@ -7,6 +7,7 @@ from linkwright.elements import (  # noqa: F401  (each registers itself)
     coupling,
     friction,
     gears,
+    geneva,
     load,
     pin,
     pin_in_slot,

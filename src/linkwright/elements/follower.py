@@ -14,16 +14,17 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, Protocol
 
+from linkwright.elements.curves import Curve
 from linkwright.elements.entries import JointEntry, make_known
 from linkwright.elements.force import SignalChart
-from linkwright.elements.joint import Applied, Array, JointGeometry, LinkPoses
+from linkwright.elements.joint import Applied, Array, JointGeometry, LinkPoses, Miss
 from linkwright.elements.mover import TRAVEL, TURN, MoverReports, MoverSignals
 from linkwright.elements.touch import ReportedTouch, Touch
 from linkwright.expressions import units as u
 from linkwright.expressions.language import Call, Node
 from linkwright.expressions.typed_fields import Path
 from linkwright.expressions.units import Dimension
-from linkwright.findings import Finding, Term
+from linkwright.findings import Finding, Term, Text
 from linkwright.laws import Motion
 from linkwright.notation import Jet, Pair, Scalar, Wrench
 from linkwright.notation.registry import Registry
@@ -91,6 +92,9 @@ class FollowedMotion(Protocol):
 
     def row(self, signal: str) -> tuple[Array, Array]:
         """Times (s), those among them at which a signal is least and greatest, and its values there (SI)."""
+
+    def rows(self, signals: Sequence[str]) -> tuple[Array, Array]:
+        """The same of some signals: times, and the values of all there (signals, times)."""
 
 
 class FollowerEntry(JointEntry):
@@ -265,6 +269,19 @@ class Follower(MoverSignals, ABC):
         """The calls of motion laws, of signals: where these have joins, so has the value."""
         return []
 
+    def joins(self, geometry: FollowerGeometry) -> Sequence[Node]:
+        """Expressions of signals that change their sign where parts of its value meet, besides the joins of laws: its
+        value and rate run on there, its acceleration and its contact may jump."""
+        return ()
+
+    def sentence(self, geometry: FollowerGeometry) -> Text | None:
+        """What its motion is, for the reader, where it follows no motion law."""
+        return None
+
+    def outline(self, geometry: FollowerGeometry) -> Sequence[Curve]:
+        """What is drawn of it: closed lines on links, as :meth:`JointKind.outline` has them."""
+        return ()
+
     def step(self, motions: Motions) -> float:
         """By how much (of the motor's value) one may go so that the value hardly bends."""
         return 0.1
@@ -280,6 +297,16 @@ class Follower(MoverSignals, ABC):
     def findings(self, run: FollowedMotion, path: Path) -> Iterator[Finding]:
         """What is to be told of a motion that was followed; ``path`` is its place in the file."""
         yield from ()
+
+    @property
+    def reported(self) -> Sequence[str]:
+        """Its signals that its proof needs, besides its effort and its rate."""
+        return ()
+
+    def misses(self, reports: FollowerReports, name: str) -> list[Miss]:
+        """By what its links miss each other in the contact, where that can be told from reported poses: a part of the
+        proof."""
+        return []
 
     @abstractmethod
     def applied(self, reports: FollowerReports, name: str) -> list[Applied]:

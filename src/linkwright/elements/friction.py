@@ -132,6 +132,8 @@ SEATS = {"normal": 0, "ahead": 0, "behind": 1}
 """The seat of a slide that a signal is of."""
 VAGUE = 1e-9
 """A speed below this share of the largest one has a sign that round-off may decide: there the report is believed."""
+NONE = 1e-9
+"""A reported effort below this share of what its law makes of the reaction is none, as at rest."""
 
 
 @register
@@ -349,8 +351,10 @@ def _resisting(reports: ForceReports, name: str, entry: Friction) -> Array:
         effort = effort - float(reports.geometry.number(entry.viscous, entry.dimension("viscous"))) * speed
     if entry.coefficient is None:
         return effort
-    vague = np.abs(speed) <= VAGUE * largest.max(initial=0.0)
-    sense = np.where(vague, np.sign(reports.rows[f"{name}.{entry.effort}"]), -np.sign(speed))
     coefficient = reports.value(entry.coefficient, u.PURE)
     resisting = coefficient * _arm(reports.geometry, entry, coefficient) * _pressing(reports, entry)
+    told = reports.rows[f"{name}.{entry.effort}"]
+    vague = np.abs(speed) <= VAGUE * largest.max(initial=0.0)
+    believed = np.where(np.abs(told) > NONE * np.abs(resisting), np.sign(told), 0.0)
+    sense = np.where(vague, believed, -np.sign(speed))
     return np.asarray(effort + sense * resisting)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import reduce
+from functools import partial, reduce
 
 import casadi as ca
 
@@ -27,6 +27,8 @@ from linkwright.structure import FRAME, Connection, Driven, Group, HigherGroup, 
 
 Efforts = dict[str, dict[str, Wrench]]
 """The wrenches of unit efforts, by mover and link."""
+Holds = Mapping[str, tuple[dict[str, Wrench], Scalar]]
+"""Of followers with a second contact the wrenches of a unit effort there, and its effort for each unit of the pull."""
 
 
 @dataclass
@@ -51,7 +53,7 @@ def solve_forces(
     motion: Motion,
     applied: Iterable[tuple[str, Wrench]] = (),
     pushes: Efforts | None = None,
-    holds: Mapping[str, tuple[dict[str, Wrench], Scalar]] | None = None,
+    holds: Holds | None = None,
     resisting: Sequence[Resisting] = (),
 ) -> Forces:
     """All reactions, drive efforts and the shaking wrench, from motion of order 2 and what is applied to links.
@@ -64,7 +66,8 @@ def solve_forces(
     a unit effort there, and its effort for each unit of the pull). Both do the same along the lift, hence the same for
     all efforts; what differs are the reactions. Such an effort is minus the second contact's force.
 
-    What is ``resisting`` follows from the reactions (:mod:`linkwright.graph.friction`); there is none with ``holds``.
+    What is ``resisting`` follows from the reactions (:mod:`linkwright.graph.friction`), which have to be linear in what
+    acts: what comes with the size of a multiplier or of a two-sided contact's effort is then an effort of its own.
     """
     own = {link: own_wrench(motion, link, body) for link, body in motion.bodies.items() if link != FRAME}
     own[FRAME] = Wrench.zero(ZERO)
@@ -73,22 +76,62 @@ def solve_forces(
     if not resisting:
         return _balanced(motion, own, pushes, holds)
     still = {link: Wrench.zero(body.anchor.now) for link, body in motion.bodies.items()}
-    every = [*resisting, *separating(motion)]
-    alone = [_balanced(motion, _added(still, dict(one.units), 1.0), pushes, None, Beside.NONE) for one in every]
-    system = FrictionSystem.of(every, _balanced(motion, own, pushes, None, Beside.CONSTANT), alone)
-    efforts = system.solved()[: len(resisting)]
-    for one, effort in zip(resisting, efforts, strict=True):
+    means, changing = halved(pushes or {}, holds or {})
+    acting = [*resisting, *changing]
+    every = [*acting, *separating(motion)]
+    alone = [_balanced(motion, _added(still, dict(one.units), 1.0), means, None, Beside.NONE) for one in every]
+    system = FrictionSystem.of(every, _balanced(motion, own, means, None, Beside.CONSTANT), alone)
+    efforts = system.solved()[: len(acting)]
+    for one, effort in zip(acting, efforts, strict=True):
         own = _added(own, dict(one.units), effort)
-    forces = _balanced(motion, own, pushes, None)
-    forces.friction = system
+    forces = _balanced(motion, own, means, None)
+    for name, (_, share) in (holds or {}).items():
+        effort = forces.efforts[name]
+        forces.efforts[name] = ca.if_else(effort < 0, share * effort, effort)
+    forces.friction, forces.pushes = system, pushes or {}
     return forces
+
+
+def halved(pushes: Efforts, holds: Holds) -> tuple[Efforts, list[Resisting]]:
+    """Efforts of followers as they are where reactions have to be linear in what acts.
+
+    An effort e acts by e w at the first contact, and where it is negative by -e v at the second one, if that exerts v
+    for each unit of pull: in all by e (w - v)/2 + |e| (w + v)/2. The first half is linear; the second one does no work,
+    and is an effort of the size of the first.
+    """
+    means, changing = dict(pushes), list[Resisting]()
+    for name, (other, share) in holds.items():
+        own, links = pushes[name], [*{**pushes[name], **other}]
+        pull = {link: wrench.times(share) for link, wrench in other.items()}
+        both = [{link: of[link] for link in links if link in of} for of in (own, pull)]
+        means[name] = _added(_scaled(both[0], 0.5), both[1], -0.5)
+        units = [*_added(_scaled(both[0], 0.5), both[1], 0.5).items()]
+        changing.append(Resisting(name, units, Resistance(1.0, 0.0), partial(_effort_of, name, means[name])))
+    return means, changing
+
+
+def _scaled(wrenches: Mapping[str, Wrench], factor: float) -> dict[str, Wrench]:
+    return {link: wrench.times(factor) for link, wrench in wrenches.items()}
+
+
+def _effort_of(name: str, unit: Mapping[str, Wrench], reactions: Reactions) -> list[tuple[Scalar, ...]]:
+    """An effort, from what it does to a link: the reaction on its contact is that of minus so many units."""
+    link, one = next(iter(unit.items()))
+    return [(-_multiple(reactions(name, link), one),)]
+
+
+def _multiple(found: Wrench, unit: Wrench) -> Scalar:
+    """By how much a wrench is a multiple of another."""
+    one = unit.at(found.about)
+    size = one.force.dot(one.force) + one.moment * one.moment
+    return (found.force.dot(one.force) + found.moment * one.moment) / size
 
 
 def _balanced(
     motion: Motion,
     own: dict[str, Wrench],
     pushes: Efforts | None,
-    holds: Mapping[str, tuple[dict[str, Wrench], Scalar]] | None,
+    holds: Holds | None,
     beside: Beside = Beside.ALL,
 ) -> Forces:
     """All forces under the wrenches of the links."""
@@ -130,10 +173,7 @@ def separating(motion: Motion) -> Iterator[Resisting]:
                 reactions: Reactions, joint: str = c.joint, link: str = link, unit: Wrench = unit
             ) -> list[tuple[Scalar, ...]]:
                 # The multiplier: its unit wrench is known, and reactions are multiples of it where nothing is beside.
-                found = reactions(joint, link)
-                one = unit.at(found.about)
-                size = one.force.dot(one.force) + one.moment * one.moment
-                return [((found.force.dot(one.force) + found.moment * one.moment) / size,)]
+                return [(_multiple(reactions(joint, link), unit),)]
 
             yield Resisting(c.joint, units, law, seats)
 

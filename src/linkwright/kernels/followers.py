@@ -68,7 +68,10 @@ def follower_law(
         relation = follower.relation(Geometry(quantities, noted), motions)
 
     def follower_value(value: Jet, parameters: Parameters) -> Jet:
-        return relation.value(Geometry(quantities, parameters), value)
+        try:
+            return relation.value(Geometry(quantities, parameters), value)
+        except ZeroDivisionError:  # by a plain number
+            return Jet.constant(np.nan, value.order)
 
     with np.errstate(all="ignore"):
         follower_value(Jet.constant(0.0, 1), noted)

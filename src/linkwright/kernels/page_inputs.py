@@ -178,10 +178,12 @@ def table_pieces(table: StatedTable) -> dict[str, Any]:
 
 
 def _parameters(compiled: Compiled, locked: Iterable[str]) -> tuple[Any, Mapping[str, Any]]:
-    """The parameters as a column of symbols, and by name: those on which locked ones depend as numbers."""
+    """The parameters as a column of symbols, and by name: those that follow from locked ones alone as numbers."""
     names, nominal = compiled.graph.parameters, compiled.quantities.parameters
-    symbols = [Symbol.named(name) for name in names]
-    fixed = dependent(compiled.quantities, frozenset(locked))
+    symbols, locked = [Symbol.named(name) for name in names], frozenset(locked)
+    stated = compiled.mechanism.parameters
+    moved = {name for name in names if not names_in(stated[name].value.node) & {*names}} - locked
+    fixed = dependent(compiled.quantities, locked) - dependent(compiled.quantities, frozenset(moved))
     given = {name: nominal[name] if name in fixed else symbol for name, symbol in zip(names, symbols, strict=True)}
     return ca.vertcat(*symbols), given
 

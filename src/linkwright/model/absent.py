@@ -15,6 +15,7 @@ _WORDS = {
     "element.friction": "friction frictions mu friction_coefficient coefficient_of_friction",
     "element.gear": "gear gears gearing gear_pair gearbox pinion gear_ratio",
     "element.geneva": "geneva geneva_drive geneva_wheel maltese maltese_cross",
+    "element.intermittent": "ratchet ratchets pawl pawls escapement escapements star_wheel star_wheels internal_geneva",
     "element.limits": "limit limits stroke range joint_limits",
     "element.motor": "motor motors actuator actuators motion motions driver drivers",
     "element.pin": "pin pins hinge hinges pivot pivots",

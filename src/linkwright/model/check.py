@@ -92,7 +92,7 @@ def _collisions(m: Mechanism) -> Iterator[Finding]:
 
 def _joints(m: Mechanism) -> Iterator[Finding]:
     points = links_of_points(m)
-    for name, joint in m.joints_but_pins():
+    for name, joint in m.joints.items():
         if isinstance(joint, JointEntry):
             for code, data, *within in joint.name_faults(m):
                 yield Finding(code, ("joints", name, *within), data)
@@ -154,7 +154,7 @@ def _resisting(m: Mechanism) -> Iterator[Finding]:
             yield Finding("friction.still", one.path)
         yield from one.kind.moment_faults(one.path, one.entry, one.kind.rubs_in(one.entry) not in in_loops(m))
         for name, follower in m.followers.items():
-            if follower.has_second_contact:
+            if follower.has_second_contact and one.kind.rubs_in(one.entry) == name:
                 yield Finding("friction.second-contact", one.path, {"name": name})
 
 

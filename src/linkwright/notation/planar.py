@@ -39,6 +39,11 @@ class Pair(NamedTuple):
         return Pair(-self.y, self.x)
 
 
+def angle_near(vector: Pair, near: Pair) -> Scalar:
+    """The angle (rad) of a vector, without a jump near that of another one, of plain numbers, about which it varies."""
+    return math.atan2(near.y, near.x) + call("arctan2", near.cross(vector), near.dot(vector))
+
+
 class Vec(NamedTuple):
     """A plane vector whose components are jets."""
 

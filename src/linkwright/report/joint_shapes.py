@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.elements.curves import Curve
-from linkwright.elements.joint import JointKind
+from linkwright.elements.joint import kind
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
 from linkwright.notation import Pair
@@ -42,13 +42,12 @@ def joint_shapes(result: Result, size: float, extent: float) -> Shapes:
 
     compiled, found = result.run.compiled, Shapes()
     geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
-    for name, entry in compiled.mechanism.joints_but_pins():
+    for name, travels in _drawn(compiled):
         low = high = np.nan
-        if "s" in entry.signals:
+        if travels:
             travel: Array = result[f"{name}.s"]
             low, high = float(np.nanmin(travel)), float(np.nanmax(travel))
-        kind = compiled.structure.topology.kind_of(name)
-        for curve in kind.outline(geometry, name, low, high):
+        for curve in _outline(geometry, name, low, high):
             first, last = curve.ends
             at = first + (last - first) * _shares(curve)
             drawn = np.column_stack([value + 0.0 * at for value in curve.place(at)])
@@ -62,19 +61,33 @@ def joint_shapes(result: Result, size: float, extent: float) -> Shapes:
 def live_joint_shapes(compiled: Compiled) -> Iterator[LiveOutline]:
     """The same at any parameters, of joints with a travel and of lines that don't depend on one."""
     nominal = Geometry(compiled.quantities, compiled.quantities.parameters)
-    for name, entry in compiled.mechanism.joints_but_pins():
-        kind, travel = compiled.structure.topology.kind_of(name), f"{name}.s" if "s" in entry.signals else ""
-        for k, curve in enumerate(kind.outline(nominal, name, np.nan, np.nan)):
-            program = outline_program(compiled, 3 if travel else 1, partial(_places, kind, name, k))
+    for name, travels in _drawn(compiled):
+        travel = f"{name}.s" if travels else ""
+        for k, curve in enumerate(_outline(nominal, name, np.nan, np.nan)):
+            program = outline_program(compiled, 3 if travel else 1, partial(_places, name, k))
             width = 0.0 if curve.closed else WIDTH * compiled.assembly.size()
             yield LiveOutline(curve.link, program, _shares(curve)[:, None], travel, width)
 
 
-def _places(kind: JointKind, name: str, number: int, geometry: Geometry, inputs: Sequence[Any]) -> list[Pair]:
+def _drawn(compiled: Compiled) -> Iterator[tuple[str, bool]]:
+    """The joints and followers by name, and whether a travel tells how long their lines are."""
+    yield from ((name, "s" in entry.signals) for name, entry in compiled.mechanism.joints_but_pins())
+    yield from ((name, False) for name in compiled.mechanism.followers)
+
+
+def _outline(geometry: Geometry, name: str, low: Any, high: Any) -> Sequence[Curve]:
+    """The lines of one."""
+    mechanism = geometry.mechanism
+    if (follower := mechanism.followers.get(name)) is not None:
+        return follower.outline(geometry)
+    return kind(mechanism.joints[name].kind).outline(geometry, name, low, high)
+
+
+def _places(name: str, number: int, geometry: Geometry, inputs: Sequence[Any]) -> list[Pair]:
     """A place of one of a joint's lines: the inputs are its share of the line, and the ends of the travel if it has
     one."""
     share, *reach = inputs
-    curve = kind.outline(geometry, name, *(reach or (np.nan, np.nan)))[number]
+    curve = _outline(geometry, name, *(reach or (np.nan, np.nan)))[number]
     first, last = curve.ends
     return [curve.place(first + (last - first) * share)]
 

@@ -13,6 +13,7 @@ from linkwright.elements.mover import Mover
 from linkwright.expressions import units as u
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Joined, Said, Text
+from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
 from linkwright.model.plausible import amount
 
@@ -81,6 +82,8 @@ def _motion(compiled: Compiled, name: str) -> Said:
     speed = at[1] if abs(at[1]) > ROUND_OFF * _speed_scale(compiled, name, at) else 0.0
     said = {"start": amount(q, at[0], value), "speed": _speed(compiled, speed, rate)}
     if (follower := compiled.mechanism.followers.get(name)) is not None:
+        if (own := follower.sentence(Geometry(compiled.quantities, compiled.quantities.parameters))) is not None:
+            return Said("fact.law.own", law=own, **said)
         laws = Joined(follower.laws.values())
         return Said("fact.law.follower", law=laws, **said) if laws else Said("fact.law.given", **said)
     drive = compiled.mechanism.drives[name]

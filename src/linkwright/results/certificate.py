@@ -125,6 +125,8 @@ def closure(r: Reports) -> float:
     misses, size = [0.0], r.size()
     for name, (kind, links) in r.topology.joints.items():
         misses += [_worst(miss.value) / (size if miss.length else 1.0) for miss in kind.misses(r, name, links)]
+    for name, follower in r.mechanism.followers.items():
+        misses += [_worst(miss.value) / (size if miss.length else 1.0) for miss in follower.misses(r, name)]
     misses += [_worst(np.hypot(*r.rotated(link, (1.0, 0.0))) - 1.0) for link in r.topology.moving]
     return float(np.max(misses))
 

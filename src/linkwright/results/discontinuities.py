@@ -100,11 +100,12 @@ def kinks(compiled: Compiled, varied: Iterable[str] = ()) -> list[Node]:
 
 def law_joins(compiled: Compiled, varied: Iterable[str] = (), rough: int = ROUGH) -> list[Node]:
     """What changes its sign where a drive or follower passes a join of its motion law whose continuity is below
-    ``rough``, in every period, or a joint one of its curve; ``varied`` as those of :func:`kinks`."""
+    ``rough``, in every period, or one of its own, or a joint one of its curve; ``varied`` as those of :func:`kinks`."""
     geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
     followers = [call for follower in compiled.mechanism.followers.values() for call in follower.calls(geometry)]
     calls = (node for law in (*positions(compiled), *followers) for node in nodes(law))
     found = [way for node in calls for way in joins(compiled.motions, node, varied, rough)]
+    found += [way for follower in compiled.mechanism.followers.values() for way in follower.joins(geometry)]
     for name, joint in compiled.mechanism.joints_but_pins():
         for attribute, places in joint.joins.items():
             at = (geometry.bind(place, joint.signals[attribute]) for place in places)

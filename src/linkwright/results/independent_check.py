@@ -54,6 +54,7 @@ class Reports:
         ]
         names += [f"{n}.{a}" for n, d in movers.items() for a in (d.effort, d.rate)]
         names += [f"{f.motor}.{movers[f.motor].value}" for f in self.mechanism.followers.values()]
+        names += [f"{name}.{attribute}" for name, f in self.mechanism.followers.items() for attribute in f.reported]
         names += [s.text for s in self.compiled.graph.actions.signals]
         names += [WindowRow(name) for name in self.compiled.graph.actions.windows]
         names += [f"{one.name}.{a}" for one in self.every for a in one.kind.reported(one.entry)]

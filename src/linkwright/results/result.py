@@ -70,7 +70,7 @@ class Result:
     def _values(self) -> dict[str, Array]:
         values = dict(zip(self.names, self.run.evaluate(self.names, self.t), strict=True))
         for name in self.names:
-            if name.endswith(".arm"):
+            if name.endswith(").arm"):  # of a reaction
                 normal = np.abs(values[name[: -len("arm")] + "normal"])
                 values[name] = np.where(normal > NO_FORCE * np.fmax.reduce(normal, initial=0.0), values[name], np.nan)
         return values

@@ -101,8 +101,13 @@ class RunMotion:
 
     def row(self, signal: str) -> tuple[Array, Array]:
         """Times (s), those among them at which a signal is least and greatest, and its values there (SI)."""
-        t = telling_times(self.run, [signal])
-        return t, self.run.compiled.evaluate([signal], t)[0]
+        t, (values,) = self.rows([signal])
+        return t, values
+
+    def rows(self, signals: Sequence[str]) -> tuple[Array, Array]:
+        """The same of some signals: times, and the values of all there (signals, times)."""
+        t = telling_times(self.run, signals)
+        return t, self.run.compiled.evaluate(signals, t)
 
 
 def _meeting(run: Run) -> list[tuple[Acting, float]]:

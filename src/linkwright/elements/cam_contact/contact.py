@@ -14,7 +14,7 @@ arrays, duals and symbols alike.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import atan2, pi
+from math import pi
 from typing import TYPE_CHECKING
 
 from linkwright.elements.follower import FollowerGeometry, UnitEffort
@@ -22,7 +22,7 @@ from linkwright.expressions import units as u
 from linkwright.expressions.language import Binary, Call, Name, Node, Number
 from linkwright.notation import Pair, Scalar, Wrench
 from linkwright.notation.jets import call
-from linkwright.notation.planar import unit_vector
+from linkwright.notation.planar import angle_near, unit_vector
 
 if TYPE_CHECKING:
     from linkwright.elements.cam_contact.follower import CamFollower
@@ -119,8 +119,8 @@ def seat(geometry: FollowerGeometry, drive: CamFollower) -> CamPair:
             reach, turn = -drive.side * arm.dot(unit_vector(heading).perp), heading
         else:
             about = plain.point(drive.link, cam.touches).minus(plain.point(drive.link, drive.pivot[0]))
-            reach, turn = call("sqrt", arm.dot(arm)), _angle(arm, about)
-        back, none = _angle(to_shaft, far), Pair(0.0, 0.0)
+            reach, turn = call("sqrt", arm.dot(arm)), angle_near(arm, about)
+        back, none = angle_near(to_shaft, far), Pair(0.0, 0.0)
         return CamPair(shaft, pivot, none, base, roller, reach, 0.0, back, back - turn, -drive.side, faced, True)
     assert drive.joint is not None
     (at, heading_on), (foot, heading_of) = (geometry.seat(drive.joint, link)[:2] for link in (on, drive.link))
@@ -129,11 +129,6 @@ def seat(geometry: FollowerGeometry, drive: CamFollower) -> CamPair:
     aside = -drive.side * (ahead.dot(heading_on.perp) + own.dot(heading_of.perp))
     way = Pair(drive.side * heading_on.x, drive.side * heading_on.y)
     return CamPair(shaft, at, way, base, roller, 0.0, aside, 0.0, offset, drive.side, faced, False)
-
-
-def _angle(vector: Pair, near: Pair) -> Scalar:
-    """The angle of a vector, without a jump about that of its nominal value ``near``."""
-    return atan2(near.y, near.x) + call("arctan2", near.cross(vector), near.dot(vector))
 
 
 def slant(geometry: FollowerGeometry, drive: CamFollower) -> Scalar:

@@ -9,10 +9,12 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-MOST_POINTS = 48
-"""A line has no more points."""
+MOST_POINTS, MOST_CORNERS = 48, 200
+"""A line has no more points, and a closed one, such as a wheel with slots, no more corners."""
 UNSEEN = 0.15
-"""A line may differ by so much, in pixels, from the one that it stands for."""
+"""A line may differ by so much, in pixels, from the one that it stands for ..."""
+COARSER = (1, 2, 4, 8)
+"""... or these times as much, where it would have too many points."""
 TEETH = 12
 """Half-turns of a coil spring."""
 
@@ -40,10 +42,13 @@ def line(places: Array, *, closed: bool = False, unseen: float = UNSEEN) -> str:
 def _thinned(places: Array, closed: bool, unseen: float) -> Array:
     import shapely
 
-    ring = np.concatenate([places, places[:1]]) if closed else places
-    seen = np.array(shapely.LineString(ring).simplify(unseen, preserve_topology=False).coords)
-    if len(seen) > MOST_POINTS:
-        seen = ring[np.linspace(0, len(ring) - 1, MOST_POINTS).round().astype(int)]
+    ring, most = (np.concatenate([places, places[:1]]), MOST_CORNERS) if closed else (places, MOST_POINTS)
+    for times in COARSER:
+        seen = np.array(shapely.LineString(ring).simplify(times * unseen, preserve_topology=False).coords)
+        if len(seen) <= most:
+            break
+    else:
+        seen = ring[np.linspace(0, len(ring) - 1, most).round().astype(int)]
     return seen[:-1] if closed and len(seen) > 2 else seen
 
 

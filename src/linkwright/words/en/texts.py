@@ -63,6 +63,10 @@ TEXTS: dict[str, str] = {
     "fact.law.accelerated": "starts at {start} with {speed}, acceleration {acceleration}",
     "fact.law.given": "position by its motion law, starts at {start} with {speed}",
     "fact.law.position": "position {law}, starts at {start} with {speed}",
+    "fact.law.own": "{law}; starts at {start} with {speed}",
+    "fact.law.geneva": "steps of {step}; moves while {motor} is at {ranges} (and each {turn} on), for {share} of the time, and is locked "
+    "otherwise; peak speed {speed} times that of {motor}, peak acceleration {acceleration} times its square, {beside} beside the "
+    "middle; acceleration at entry and exit {entry} times its square",
     "fact.law.follower": "motion law {law}, starts at {start} with {speed}",
     "fact.gravity": "Gravity",
     "fact.gravity.text": "{size} along {direction}",

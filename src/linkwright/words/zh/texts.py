@@ -63,6 +63,9 @@ TEXTS: dict[str, str] = {
     "fact.law.accelerated": "起始于 {start}，初速度 {speed}，加速度 {acceleration}",
     "fact.law.given": "位置由其运动规律给定，起始于 {start}，初速度 {speed}",
     "fact.law.position": "位置为 {law}，起始于 {start}，初速度 {speed}",
+    "fact.law.own": "{law}；起始于 {start}，初速度 {speed}",
+    "fact.law.geneva": "每次转动 {step}；{motor} 位于 {ranges}（以及每隔 {turn}）时运动，占时间的 {share}，其余时间锁止；最大角速度为 {motor} 的 "
+    "{speed} 倍，最大角加速度为其平方的 {acceleration} 倍，位于中间位置前后 {beside}；进槽和出槽时的角加速度为其平方的 {entry} 倍",
     "fact.law.follower": "运动规律 {law}，起始于 {start}，初速度 {speed}",
     "fact.gravity": "重力",
     "fact.gravity.text": "{size}，沿 {direction} 方向",

@@ -33,9 +33,15 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "'{{coupling: [gear2, frame], follows: -motor.angle*z1/z2}}'.",
     ),
     "element.geneva": (
-        "'{name}': linkwright has no Geneva drives yet.",
-        "While the pin is in the slot, model it as a joint pin_in_slot between crank and wheel, with 'travel' for the "
-        "slot's length. Or drive the wheel by a motion law with dwells.",
+        "'{name}': Geneva drives are written under joints, as geneva.",
+        "For example 'joints: {{indexing: {{geneva: [driver, wheel], centres: [O, Q], pins: [P], slots: 4, arc: 45 mm}}}}', with "
+        "P a point of the driver.",
+    ),
+    "element.intermittent": (
+        "'{name}': linkwright has no ratchets, escapements, star wheels and internal Geneva drives yet.",
+        "An external Geneva drive is the joint geneva. Any other motion with dwells is a motion law of a drive, for example "
+        "'laws: {{index: {{over: angle, of: angle, segments: [{{rise: 30 deg, over: 90 deg, law: cycloidal}}, {{dwell: 270 deg}}], "
+        "beyond: advance}}}}'.",
     ),
     "element.limits": (
         "'{name}': limits of a joint are not written under this name.",

@@ -28,6 +28,7 @@ _EXAMPLES = {
     "correlation": "Example: 0.7",
     "two-links": "Example: [frame, slider]",
     "element-names": "Example: [press, bearing_A]",
+    "point-names": "Example: [P1, P2]",
     "slot-place": "Example: [30, 8]",
     "slot-places": "Example: [[0, 0], [30, 8], [60, 0]]",
     "two-points": "Example: [B1, B2]",

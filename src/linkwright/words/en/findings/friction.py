@@ -36,8 +36,8 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "Remove length: the slide then rubs by its normal force alone, as wedges do.",
     ),
     "friction.second-contact": (
-        "Friction can't be computed together with {name}, whose follower has contact on two sides.",
-        "Remove the friction, or give the follower one contact.",
+        "Friction in the contact of {name} can't be computed, because its follower has contact on two sides.",
+        "Remove this friction, or give the follower one contact. Pins, slides and other contacts may have friction.",
     ),
     "friction.roller": (
         "The contact {name} has a roller, which rubs at its pin, so the friction needs the radius of that pin.",

@@ -94,4 +94,42 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "by Eytelwein's limit of both strands.",
         "Increase pretension, or the angle of wrap, or use a belt with more friction.",
     ),
+    "geneva.motor": (
+        "No drive turns the driver '{driver}' of this Geneva drive against '{carrier}', so the wheel has no law.",
+        "Give the driver a drive of its own, for example 'drives: {{motor: {{turns: {driver}, on: {carrier}, speed: 60 rpm, start: "
+        "0 deg}}}}'; a drive whose law is that of an output doesn't count.",
+    ),
+    "geneva.frame": (
+        "The frame is driver or wheel of this Geneva drive, and it can't be the link that carries both too.",
+        "Name the link that is pinned to driver and wheel at their centres, for example 'carrier: arm'.",
+    ),
+    "geneva.slots": (
+        "The number of slots isn't a whole number of at least 3.",
+        "For example slots: 4, or 6 for a smaller peak acceleration.",
+    ),
+    "geneva.concentric": (
+        "The centres of driver and wheel are at the same place of {carrier}.",
+        "Give {carrier} two points at the centre distance of the Geneva drive.",
+    ),
+    "geneva.entry": (
+        "The pin {pin} would enter its slot with a shock: it is {radius} from {centre}, but for a centre distance of {distance} "
+        "and these slots it must be {wanted}.",
+        "Give the pin the radius sin(180 deg/slots) times the centre distance, for example by a parameter 'r: c*sin(180 deg/4)'.",
+    ),
+    "geneva.pins": (
+        "The pins {first} and {second} would be in slots at the same time.",
+        "Place pins at least 180 deg - 360 deg/slots apart: for example two pins opposite each other; or remove one.",
+    ),
+    "geneva.arc": (
+        "The locking arc doesn't fit: its radius is {radius}, but it must be larger than {low} to reach the wheel's rim, and "
+        "smaller than {high} to leave the pin room.",
+        "Give arc a radius between the two, mostly that of the pin's circle less the pin's diameter.",
+    ),
+    "geneva.horn": (
+        "The locking disc of {joint} is cut out where it would have to hold the wheel: at t = {time} s the force of {force} is stated at "
+        "a horn of the wheel's arc that the disc doesn't reach there, but its edge bears, with a larger force.",
+        "Within {span} of the driver before a pin enters and after it leaves, the disc holds the wheel in one direction only. "
+        "Balance the wheel or brake it, so that no moment acts there in the other direction; the stated forces have the arm "
+        "{arm}, which is right elsewhere.",
+    ),
 }

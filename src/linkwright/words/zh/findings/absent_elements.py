@@ -30,8 +30,13 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "内齿圈用“internal: ring”给出。只关心传动比的减速器可用联动：“{{coupling: [gear2, frame], follows: -motor.angle*z1/z2}}”。",
     ),
     "element.geneva": (
-        "“{name}”：linkwright 尚不支持槽轮机构。",
-        "销在槽内的阶段，用拨盘与槽轮之间的销槽副（pin_in_slot）建模，槽长用“travel”给出。也可用带休止段的运动规律驱动槽轮。",
+        "“{name}”：槽轮机构在 joints 中以 geneva 定义。",
+        "例如“joints: {{indexing: {{geneva: [driver, wheel], centres: [O, Q], pins: [P], slots: 4, arc: 45 mm}}}}”，其中 P 是拨盘上的点。",
+    ),
+    "element.intermittent": (
+        "“{name}”：linkwright 尚不支持棘轮、擒纵、星轮和内槽轮机构。",
+        "外槽轮机构为运动副 geneva。其他带停歇的运动用驱动的运动规律表示，例如“laws: {{index: {{over: angle, of: angle, segments: "
+        "[{{rise: 30 deg, over: 90 deg, law: cycloidal}}, {{dwell: 270 deg}}], beyond: advance}}}}”。",
     ),
     "element.limits": (
         "“{name}”：运动副的范围不以此名称给出。",

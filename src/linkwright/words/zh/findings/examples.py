@@ -28,6 +28,7 @@ _EXAMPLES = {
     "correlation": "示例：0.7",
     "two-links": "示例：[frame, slider]",
     "element-names": "示例：[press, bearing_A]",
+    "point-names": "示例：[P1, P2]",
     "slot-place": "示例：[30, 8]",
     "slot-places": "示例：[[0, 0], [30, 8], [60, 0]]",
     "two-points": "示例：[B1, B2]",

@@ -85,4 +85,38 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "{joint}（{kind}）打滑：在 t = {time} s（{drive} = {value} {unit}）时，按欧拉公式的极限，切向力不足 {force} {of}。",
         "增大预紧力或包角，或采用摩擦系数更大的带。",
     ),
+    "geneva.motor": (
+        "没有驱动使该槽轮机构的拨盘“{driver}”相对“{carrier}”转动，槽轮因此没有运动规律。",
+        "为拨盘给出驱动，例如“drives: {{motor: {{turns: {driver}, on: {carrier}, speed: 60 rpm, start: 0 deg}}}}”；按输出构件给出规律的驱动不算在内。",
+    ),
+    "geneva.frame": (
+        "机架是该槽轮机构的拨盘或槽轮，不能同时作为支承两者的构件。",
+        "用 carrier 给出在两个中心处与拨盘和槽轮铰接的构件，例如“carrier: arm”。",
+    ),
+    "geneva.slots": (
+        "槽数不是大于等于 3 的整数。",
+        "例如 slots: 4；要减小最大角加速度可用 6。",
+    ),
+    "geneva.concentric": (
+        "拨盘与槽轮的中心位于 {carrier} 的同一位置。",
+        "在 {carrier} 上给出相距为槽轮机构中心距的两个点。",
+    ),
+    "geneva.entry": (
+        "圆销 {pin} 进槽时有冲击：它到 {centre} 的距离为 {radius}，而中心距为 {distance}、槽数如上时应为 {wanted}。",
+        "圆销的回转半径取中心距乘 sin(180 deg/slots)，例如用参数“r: c*sin(180 deg/4)”。",
+    ),
+    "geneva.pins": (
+        "圆销 {first} 和 {second} 会同时处于槽中。",
+        "圆销之间的夹角至少为 180 deg - 360 deg/slots，例如两个圆销相对布置；或去掉其中一个。",
+    ),
+    "geneva.arc": (
+        "锁止弧尺寸不合适：其半径为 {radius}，必须大于 {low} 才能到达槽轮外缘，并小于 {high} 才能给圆销留出空间。",
+        "使 arc 的半径介于两者之间，通常为圆销回转半径减去圆销直径。",
+    ),
+    "geneva.horn": (
+        "{joint} 的锁止盘在需要锁住槽轮处有缺口：t = {time} s 时给出的力 {force} 作用在槽轮锁止弧的一个端点上，而锁止盘此时并未到达该端点，"
+        "实际由锁止盘的边缘承力，力更大。",
+        "圆销进槽前和出槽后，拨盘在 {span} 的转角内只能在一个方向锁住槽轮。请平衡槽轮或加制动，使该处没有反方向的力矩；给出的力按力臂 {arm} 计算，"
+        "在其他位置是正确的。",
+    ),
 }
