@@ -10,6 +10,7 @@ from linkwright.elements import (  # noqa: F401  (each registers itself)
     load,
     pin,
     pin_in_slot,
+    prescribed,
     rack,
     rolling,
     slide,

@@ -36,6 +36,22 @@ class AppliedForce(ElementActionRow):
 
 
 @dataclass(frozen=True)
+class DriveForce(Row):
+    """Of the force that a drive exerts on the point that it moves: its ``x`` or ``y`` (N)."""
+
+    drive: str
+    part: str
+    called = "drive/{drive}/{part}"
+
+    def order(self, graph: Graph) -> int:
+        return graph.actions.forces
+
+    def expression(self, view: View) -> Scalar:
+        link = view.geometry.mechanism.drives[self.drive].link
+        return view.forces.efforts[self.drive] * getattr(view.motion.unit(self.drive)[link].force, self.part)
+
+
+@dataclass(frozen=True)
 class FrictionNumber(Row):
     """One of the numbers of the laws of friction, as :attr:`~linkwright.graph.friction.FrictionSystem.numbers` lists
     them."""

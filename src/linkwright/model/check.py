@@ -133,6 +133,8 @@ def _drives(m: Mechanism) -> Iterator[Finding]:
                 continue
         for seen, entry in ((acting, drive), (moved, m.prescribed(name))):
             pair = frozenset((entry.link, entry.on))
+            if entry.moves:
+                continue  # two directions, or two points, are different motions
             if pair in seen:
                 yield Finding("drive.twice", path, {"other": seen[pair], "a": entry.link, "b": entry.on})
                 break

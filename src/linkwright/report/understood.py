@@ -8,6 +8,7 @@ from functools import partial
 
 import numpy as np
 
+from linkwright.elements.drive import Drive
 from linkwright.elements.entries import NOUNS
 from linkwright.elements.mover import Mover
 from linkwright.expressions import units as u
@@ -67,6 +68,14 @@ def _subject(compiled: Compiled, name: str, drive: Mover) -> Said:
         return Said("fact.drive.follower", link=drive.link, on=drive.on, motor=follower.motor, kind=follower.title)
     if drive.output is not None:
         return Said("fact.drive.output", link=drive.link, on=drive.on, output=drive.output)
+    if isinstance(drive, Drive) and drive.moves and drive.at and drive.along:
+        return Said(
+            "fact.drive.point",
+            point=drive.at,
+            link=drive.link,
+            on=drive.on,
+            line=f"{drive.along.point} at {drive.along.angle.text}",
+        )
     cylinders = [c.joint for c in compiled.structure.topology.acting(name) if c.joint in m.cylinders]
     if drive.slides and cylinders:
         return Said("fact.drive.cylinder", cylinder=cylinders[0])

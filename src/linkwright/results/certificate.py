@@ -123,7 +123,7 @@ def _branch(rule: str, times: tuple[float, ...]) -> str | Term:
 def closure(r: Reports) -> float:
     """The worst miss of a joint, a slide's direction or a unit vector, over the mechanism's size or 1."""
     misses, size = [0.0], r.size()
-    for name, (kind, links) in r.topology.joints.items():
+    for name, (kind, links) in (r.topology.joints | r.topology.equations).items():
         misses += [_worst(miss.value) / (size if miss.length else 1.0) for miss in kind.misses(r, name, links)]
     misses += [_worst(np.hypot(*r.rotated(link, (1.0, 0.0))) - 1.0) for link in r.topology.moving]
     return float(np.max(misses))

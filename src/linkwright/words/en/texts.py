@@ -55,6 +55,7 @@ TEXTS: dict[str, str] = {
     "fact.drive": "{name}: {subject}, {motion}",
     "fact.drive.links": "{link} on {on}",
     "fact.drive.cylinder": "cylinder {cylinder}",
+    "fact.drive.point": "point {point} of {link} on {on}, along the line {line}",
     "fact.drive.output": "{link} on {on}, such that {output} follows the law",
     "fact.drive.follower": "{link} on {on}, a follower of {motor} ({kind})",
     "fact.law.turning": "{speed}, {period} per revolution, starts at {start}",

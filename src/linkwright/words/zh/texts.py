@@ -55,6 +55,7 @@ TEXTS: dict[str, str] = {
     "fact.drive": "{name}：{subject}，{motion}",
     "fact.drive.links": "{link} 相对 {on}",
     "fact.drive.cylinder": "缸 {cylinder}",
+    "fact.drive.point": "{link} 的点 {point} 相对 {on} 沿直线 {line}",
     "fact.drive.output": "{link} 相对 {on}，使 {output} 按运动规律运动",
     "fact.drive.follower": "{link} 相对 {on}，为 {motor} 的从动件（{kind}）",
     "fact.law.turning": "{speed}，每转 {period}，起始于 {start}",

@@ -139,7 +139,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "drive.output": (
         "'{name}' can't be the output of a drive: it is neither a prismatic joint nor a link of this model.",
-        "{near} An output is a prismatic joint, or a link that is pinned to the frame.",
+        "{near} An output is a prismatic joint, or a link whose angle relative to the frame follows the law.",
     ),
     "drive.output-own": (
         "{link} and {on} are the drive's own links; '{name}' can't be its output.",

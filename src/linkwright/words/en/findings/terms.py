@@ -50,6 +50,8 @@ TERMS: dict[str, str] = {
     "kind-rack": "rack and pinion",
     "kind-rolling": "rolling contact",
     "kind-belt": "belt or chain",
+    "kind-prescribed_angle": "angle of two links that share no pin",
+    "kind-prescribed_place": "position of a point along a line",
     "pitch": "pitch",
     "pretension": "pretension",
     "friction-coefficient": "coefficient of friction",

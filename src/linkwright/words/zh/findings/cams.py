@@ -130,7 +130,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "drive.output": (
         "“{name}”不能作为驱动的输出：它既不是移动副，也不是本模型的构件。",
-        "{near}输出应为移动副，或用转动副与机架连接的构件。",
+        "{near}输出应为移动副，或其相对机架的角度按规律变化的构件。",
     ),
     "drive.output-own": (
         "{link} 和 {on} 是驱动自身的构件，“{name}”不能作为其输出。",

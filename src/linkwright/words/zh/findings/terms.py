@@ -50,6 +50,8 @@ TERMS: dict[str, str] = {
     "kind-rack": "齿轮齿条副",
     "kind-rolling": "滚动接触",
     "kind-belt": "带或链传动",
+    "kind-prescribed_angle": "无共有转动副的两构件的夹角",
+    "kind-prescribed_place": "点沿直线的位置",
     "pitch": "节距",
     "pretension": "预紧力",
     "friction-coefficient": "摩擦系数",
