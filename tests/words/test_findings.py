@@ -60,6 +60,7 @@ TITLES = {
     "cam": "Cams",
     "sketch": "The sketch",
     "drive": "Drives",
+    "path": "Paths of points",
     "load": "Loads",
     "spring": "Springs",
     "friction": "Friction",

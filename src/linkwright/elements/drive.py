@@ -12,6 +12,7 @@ from linkwright.elements.fields import LinkName
 from linkwright.elements.joint import Applied, JointGeometry
 from linkwright.elements.mover import TRAVEL, TURN, MoverReports, MoverSignals, exerted
 from linkwright.elements.prescribed import Track
+from linkwright.elements.stated_law import StatedLaw
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen, LineOn, Name
 from linkwright.expressions.typed_fields import Ref, Scope, of_drive
@@ -20,7 +21,7 @@ from linkwright.expressions.written import Fault
 _driven = partial(of_drive, drive=lambda c: c.name)
 
 
-class Drive(MoverSignals, Frozen):
+class Drive(MoverSignals, StatedLaw, Frozen):
     """A prescribed relative motion of two links: of ``turns``/``slides`` against ``on``, of a slide, or of the point
     ``at`` of ``moves`` ``along`` a line of ``on``."""
 
@@ -49,12 +50,8 @@ class Drive(MoverSignals, Frozen):
             yield "drive.on", {}
         if len({key in given for key in ("moves", "at", "along")}) > 1:
             yield "drive.point", {}
-        if ("speed" in given) == ("position" in given):
-            yield "drive.law", {}
-        elif "start" in given and "speed" not in given:
-            yield "drive.start", {}
-        if "acceleration" in given and "speed" not in given:
-            yield "drive.acceleration", {}
+        if "output" not in given or given.keys() & {"speed", "start", "acceleration", "position"}:
+            yield from cls.law_faults(given)  # of one whose output is a path, the path has the law
 
     @property
     def on(self) -> str:
@@ -80,13 +77,6 @@ class Drive(MoverSignals, Frozen):
         assert self.along is not None
         base = geometry.point(self.on, self.along.point)
         return Track(geometry.point(self.link, self.at), base, geometry.number(self.along.angle, u.ANGLE))
-
-    def uniform(self, angle: bool) -> list[tuple[Expression, u.Dimension]]:
-        """Of one without ``position``: start, speed and acceleration, as far as they are given, with their dimensions
-        where what is prescribed is an ``angle`` or else a length."""
-        of = (u.ANGLE, u.OMEGA, u.ALPHA) if angle else (u.LENGTH, u.SPEED, u.ACCELERATION)
-        given = zip((self.start, self.speed, self.acceleration), of, strict=True)
-        return [(expression, dimension) for expression, dimension in given if expression is not None]
 
     def applied(self, reports: MoverReports, name: str) -> list[Applied]:
         """What it does to its two links, by its reported effort: its proof."""

@@ -30,6 +30,7 @@ _EXAMPLES = {
     "element-names": "Example: [press, bearing_A]",
     "slot-place": "Example: [30, 8]",
     "slot-places": "Example: [[0, 0], [30, 8], [60, 0]]",
+    "two-positions": "Example: [[0, 0], [100 mm, 0]]",
     "two-points": "Example: [B1, B2]",
     "two-numbers": "Example: [20, 40]",
     "two-radii": "Example: [30, 60]",
