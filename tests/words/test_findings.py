@@ -64,6 +64,7 @@ TITLES = {
     "load": "Loads",
     "spring": "Springs",
     "friction": "Friction",
+    "differential": "Differentials",
     "gears": "Gears, racks and rolling contact",
     "belt": "Belts and chains",
     "table": "Tables",

@@ -5,6 +5,7 @@ from linkwright.elements import (  # noqa: F401  (each registers itself)
     cam_contact,
     counterweight,
     coupling,
+    differential,
     friction,
     gears,
     load,

@@ -31,6 +31,8 @@ _EXAMPLES = {
     "slot-place": "Example: [30, 8]",
     "slot-places": "Example: [[0, 0], [30, 8], [60, 0]]",
     "two-positions": "Example: [[0, 0], [100 mm, 0]]",
+    "three-links": "Example: [cage, left, right]",
+    "three-numbers": "Example: [2, -1, -1]",
     "two-points": "Example: [B1, B2]",
     "two-numbers": "Example: [20, 40]",
     "two-radii": "Example: [30, 60]",

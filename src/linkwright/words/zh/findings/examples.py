@@ -31,6 +31,8 @@ _EXAMPLES = {
     "slot-place": "示例：[30, 8]",
     "slot-places": "示例：[[0, 0], [30, 8], [60, 0]]",
     "two-positions": "示例：[[0, 0], [100 mm, 0]]",
+    "three-links": "示例：[cage, left, right]",
+    "three-numbers": "示例：[2, -1, -1]",
     "two-points": "示例：[B1, B2]",
     "two-numbers": "示例：[20, 40]",
     "two-radii": "示例：[30, 60]",
