@@ -68,6 +68,20 @@ class FrictionNumber(Row):
 
 
 @dataclass(frozen=True)
+class HoldingEffort(Row):
+    """The torque (N m) or force (N) with which a drive holds a pose at rest without any friction."""
+
+    drive: str
+    called = "holding/{drive}"
+
+    def order(self, graph: Graph) -> int:
+        return graph.actions.forces
+
+    def expression(self, view: View) -> Scalar:
+        return view.breakaway(self.drive, 1, friction=False)
+
+
+@dataclass(frozen=True)
 class FrictionlessEffort(Row):
     """The torque (N m) or force (N) that a drive would need without any friction."""
 

@@ -73,6 +73,8 @@ TEXTS: dict[str, str] = {
     # Certificate.
     "proof.closure": "Closure",
     "proof.closure.text": "All joints close at all {poses} poses (largest closure error relative to the mechanism's size).",
+    "proof.starting": "Start from standstill",
+    "proof.starting.text": "Where the drives start the motion from standstill, links are in equilibrium under the static friction of the reactions there, with the reported efforts, in both senses at all {poses} poses (largest residual relative to the largest force).",
     "proof.equilibrium": "Equilibrium",
     "proof.equilibrium.text": "Every link, including the frame, is in equilibrium under the reported reactions at all {poses} poses (largest residual relative to the largest force).",
     "proof.power": "Power balance",

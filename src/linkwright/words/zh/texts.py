@@ -73,6 +73,8 @@ TEXTS: dict[str, str] = {
     # Certificate.
     "proof.closure": "封闭性",
     "proof.closure.text": "在全部 {poses} 个位姿上，所有运动副均封闭（最大封闭误差与机构尺寸之比）。",
+    "proof.starting": "起动",
+    "proof.starting.text": "在全部 {poses} 个位姿上，按所给起动驱动力（矩）向两个方向起动时，各构件在由约束反力确定的静摩擦下平衡（最大残差与最大力之比）。",
     "proof.equilibrium": "力平衡",
     "proof.equilibrium.text": "在全部 {poses} 个位姿上，包括机架在内的每个构件在所给约束反力作用下均平衡（最大残差与最大力之比）。",
     "proof.power": "功率平衡",

@@ -267,6 +267,7 @@ TEXTS: dict[str, str] = {
     "schema.Friction.radius": "pin: radius at which its bearing rubs; contact: radius of the roller's pin",
     "schema.Friction.length": "slide: length of the guide, centred at the second link's point of the line; its two ends carry force and moment; none in a loop of slides",
     "schema.Friction.coefficient": "coefficient of Coulomb friction; a number, or an expression of t, tables and the motion",
+    "schema.Friction.static": "static coefficient of friction, a number or parameter: the drives' efforts at the start of motion follow from it (NAME.breakaway_forward, .breakaway_backward)",
     "schema.Friction.viscous": "viscous friction: moment over angular speed, or force over speed",
     # Measures.
     "schema.Measure": "A named scalar result of a run, computed from a signal expression or from the path of a point.",

@@ -267,6 +267,7 @@ TEXTS: dict[str, str] = {
     "schema.Friction.radius": "转动副：轴承的摩擦半径；接触：滚子销轴的半径",
     "schema.Friction.length": "移动副：导轨长度，以第二构件的直线上的点为中心；力和力矩由其两端承受；移动副的环中不给出",
     "schema.Friction.coefficient": "库仑摩擦系数：一个数，或 t、表和运动的表达式",
+    "schema.Friction.static": "静摩擦系数，数或参数：由此求驱动的起动力（矩）（NAME.breakaway_forward、.breakaway_backward）",
     "schema.Friction.viscous": "粘性摩擦：力矩与角速度之比，或力与速度之比",
     # Measures.
     "schema.Measure": "一次运行中有名称的标量结果，由信号表达式或点的轨迹算出。",
