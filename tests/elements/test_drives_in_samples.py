@@ -1,4 +1,4 @@
-"""Samples of mechanisms with drives without joints, paths, differentials, static friction, against files of their own."""
+"""Samples of mechanisms with drives without joints, paths, differentials, static friction: as files of their own."""
 
 from __future__ import annotations
 
