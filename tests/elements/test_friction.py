@@ -47,7 +47,7 @@ def refused(changes: dict[str, Any] | None = None, **entry: Any) -> list[str]:
         ("friction.same-link", {"pin": "A", "in": ["crank", "crank"], "radius": 2, "coefficient": 0.1}),
         ("name.unknown", {"pin": "Q", "radius": 2, "coefficient": 0.1}),
         ("name.unknown", {"slide": "bearing", "length": 2, "coefficient": 0.1}),
-        ("file.unknown-key", {"pin": "A", "radius": 2, "coefficient": 0.1, "static": 0.2}),
+        ("file.unknown-key", {"pin": "A", "radius": 2, "coefficient": 0.1, "stiction": 0.2}),
     ],
 )
 def test_refused_by_name(code: str, entry: dict[str, Any]) -> None:

@@ -26,6 +26,7 @@ from linkwright.elements import (
     register,
 )
 from linkwright.elements.pin_in_slot import InnerSlot
+from linkwright.elements.prescribed import InnerAngle, InnerTrack, Track
 from linkwright.graph.geometry import Geometry
 from linkwright.notation import Body, Jet, Pair, Vec, Wrench
 from linkwright.notation.planar import turning_axis, unit_vector
@@ -39,6 +40,8 @@ for _slot in SLOTS:
     _compiled = compiled_from(lever(_slot))
     _geometry = Geometry(_compiled.quantities, _compiled.quantities.parameters)
     INNER[f"slot {_slot}"] = KINDS["pin_in_slot"].inner(_geometry, "slot", ("crank", "lever"))
+INNER["prescribed angle"] = InnerAngle()
+INNER["prescribed place"] = InnerTrack(Track(Pair(0.1, 0.2), Pair(-0.3, 0.05), 0.4))
 COUNT = dict.fromkeys(INNER, 2)
 """Of each the number of its links."""
 NEEDED = {name for name, one in KINDS.items() if one.entry is not None}

@@ -136,6 +136,9 @@ class Oracle:
         return 2 * math.pi * round(angle / (2 * math.pi))
 
     def slide_of(self, drive: PlainDrive) -> PlainSlide:
+        if drive.track is not None:
+            point, base, angle = drive.track
+            return PlainSlide((drive.on, drive.link), (base, point), (angle, 0.0))
         return next(s for s in self.plain.slides.values() if set(s.links) == {drive.link, drive.on})
 
     def constraints(self, q: Array, v: Array, t: float) -> tuple[Array, Array, Array, Array]:
@@ -293,7 +296,11 @@ class Oracle:
                 k = s.links.index(drive.on)
                 heading = self.pose(q, drive.on)[2] + s.angles[k]
                 e = np.array([math.cos(heading), math.sin(heading)])
-                at = self.point(q, drive.on, s.points[k])
+                at = (
+                    self.point(q, drive.on, s.points[k])
+                    if drive.track is None
+                    else self.point(q, drive.link, s.points[1])
+                )
                 for link, sign in ((drive.link, 1.0), (drive.on, -1.0)):
                     push(link, columns, sign * e, at)
             drives[name] = columns

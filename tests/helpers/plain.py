@@ -94,12 +94,14 @@ class PlainSlide:
 
 @dataclass(frozen=True)
 class PlainDrive:
-    """``turns`` or ``slides``: link against ``on``, by a law."""
+    """``turns`` or ``slides``: link against ``on``, by a law. With a ``track`` no joint is asked: a point of the link,
+    and a line of ``on`` by a point and an angle."""
 
     kind: str
     link: str
     on: str
     law: Law
+    track: tuple[str, str, float] | None = None
 
 
 @dataclass(frozen=True)

@@ -122,8 +122,8 @@ def test_two_drives_on_one_joint() -> None:
 @pytest.mark.parametrize(
     ("drive", "joint"),
     [
-        ({"turns": "crank", "on": "rocker"}, "revolute"),
         ({"slides": "crank", "on": "frame"}, "prismatic"),
+        ({"slides": "coupler", "on": "frame"}, "prismatic"),
     ],
 )
 def test_a_drive_between_links_without_such_a_joint(drive: dict[str, str], joint: str) -> None:

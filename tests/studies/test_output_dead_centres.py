@@ -221,9 +221,13 @@ def test_outputs_that_are_none(drive: dict[str, Any], code: str) -> None:
 
 
 def test_an_output_that_isn_t_hinged_on_the_frame() -> None:
-    drives = {"motor": {"turns": "crank", "on": "frame", "output": "rod", "position": "30 deg*sin(90 deg*t/(1 s))"}}
-    job = job_of(slider_crank(drives=drives))
-    assert codes(job.examined.findings) == ["structure.drive-no-joint"]
+    """The rod's angle to the frame follows the law; the slider, which its guide keeps from turning, can't."""
+    law = {"turns": "crank", "on": "frame", "position": "-3 deg + 3 deg*sin(90 deg*t/(1 s))"}
+    sketch, cycle = {"C": [200, 20], "B": [40, 30]}, {"cycle": {"duration": "1 s", "samples": 40}}
+    job = job_of(slider_crank(drives={"motor": {**law, "output": "rod"}}, assembly=sketch, studies=cycle))
+    assert not job.examined.findings
+    job = job_of(slider_crank(drives={"motor": {**law, "output": "slider"}}))
+    assert codes(job.examined.findings) == ["structure.drive-angle-fixed"]
 
 
 def test_two_laws_for_one_output() -> None:

@@ -9,18 +9,21 @@ from typing import Annotated, Any
 from pydantic import ConfigDict, Field
 
 from linkwright.elements.fields import LinkName
-from linkwright.elements.joint import Applied
+from linkwright.elements.joint import Applied, JointGeometry
 from linkwright.elements.mover import TRAVEL, TURN, MoverReports, MoverSignals, exerted
+from linkwright.elements.prescribed import Track
+from linkwright.elements.stated_law import StatedLaw
 from linkwright.expressions import units as u
-from linkwright.expressions.fields import Expression, Frozen, Name
+from linkwright.expressions.fields import Expression, Frozen, LineOn, Name
 from linkwright.expressions.typed_fields import Ref, Scope, of_drive
 from linkwright.expressions.written import Fault
 
 _driven = partial(of_drive, drive=lambda c: c.name)
 
 
-class Drive(MoverSignals, Frozen):
-    """A prescribed relative motion of two joined links: of ``turns``/``slides`` against ``on``, or of a slide."""
+class Drive(MoverSignals, StatedLaw, Frozen):
+    """A prescribed relative motion of two links: of ``turns``/``slides`` against ``on``, of a slide, or of the point
+    ``at`` of ``moves`` ``along`` a line of ``on``."""
 
     # Said for editors here, by `faults` to the reader: either on which link, or what is extended.
     model_config = ConfigDict(json_schema_extra={"anyOf": [{"required": ["on"]}, {"required": ["extends"]}]})
@@ -28,6 +31,9 @@ class Drive(MoverSignals, Frozen):
     turns: LinkName | None = None
     slides: LinkName | None = None
     extends: Annotated[Name | None, Ref("extended")] = None
+    moves: LinkName | None = None
+    at: Annotated[Name | None, Ref("point", of="moves")] = None
+    along: Annotated[LineOn | None, Ref("point", of="on_")] = None
     on_: LinkName | None = Field(None, alias="on")
     speed: Annotated[Expression | None, _driven(u.OMEGA, u.SPEED)] = None
     start: Annotated[Expression | None, _driven(u.ANGLE, u.LENGTH)] = None
@@ -37,17 +43,15 @@ class Drive(MoverSignals, Frozen):
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
-        kinds = [key for key in ("turns", "slides", "extends") if key in given]
+        kinds = [key for key in ("turns", "slides", "extends", "moves") if key in given]
         if len(kinds) != 1:
             yield "drive.kind", {}
         elif ("on" in given) == ("extends" in given):
             yield "drive.on", {}
-        if ("speed" in given) == ("position" in given):
-            yield "drive.law", {}
-        elif "start" in given and "speed" not in given:
-            yield "drive.start", {}
-        if "acceleration" in given and "speed" not in given:
-            yield "drive.acceleration", {}
+        if len({key in given for key in ("moves", "at", "along")}) > 1:
+            yield "drive.point", {}
+        if "output" not in given or given.keys() & {"speed", "start", "acceleration", "position"}:
+            yield from cls.law_faults(given)  # of one whose output is a path, the path has the law
 
     @property
     def on(self) -> str:
@@ -57,7 +61,7 @@ class Drive(MoverSignals, Frozen):
     @property
     def link(self) -> str:
         """The link that is moved."""
-        name = self.turns or self.slides
+        name = self.turns or self.slides or self.moves
         assert name is not None
         return name
 
@@ -67,12 +71,12 @@ class Drive(MoverSignals, Frozen):
         value, effort = (TURN, u.TORQUE) if self.turns else (TRAVEL, u.FORCE)
         return {**value, self.effort: effort, "power": u.POWER}
 
-    def uniform(self, angle: bool) -> list[tuple[Expression, u.Dimension]]:
-        """Of one without ``position``: start, speed and acceleration, as far as they are given, with their dimensions
-        where what is prescribed is an ``angle`` or else a length."""
-        of = (u.ANGLE, u.OMEGA, u.ALPHA) if angle else (u.LENGTH, u.SPEED, u.ACCELERATION)
-        given = zip((self.start, self.speed, self.acceleration), of, strict=True)
-        return [(expression, dimension) for expression, dimension in given if expression is not None]
+    def track(self, geometry: JointGeometry) -> Track:
+        """Of one that moves a point this point, and the line along which its place counts."""
+        assert self.at is not None
+        assert self.along is not None
+        base = geometry.point(self.on, self.along.point)
+        return Track(geometry.point(self.link, self.at), base, geometry.number(self.along.angle, u.ANGLE))
 
     def applied(self, reports: MoverReports, name: str) -> list[Applied]:
         """What it does to its two links, by its reported effort: its proof."""

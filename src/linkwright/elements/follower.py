@@ -156,6 +156,7 @@ class Follower(MoverSignals, ABC):
     locks: ClassVar[str] = "joint.locks"
     """The code of the finding that its contact holds the link fast."""
     output: ClassVar[None] = None
+    moves: ClassVar[None] = None
 
     @property
     def title(self) -> Term:

@@ -264,6 +264,10 @@ class ForceKind(ABC, Generic[E]):
         """What it does to each of its links: (link, wrench)."""
         yield from ()
 
+    def at_start(self, entry: E) -> E:
+        """The entry as it acts where motion is about to start from rest: itself, unless it resists more there."""
+        return entry
+
     def rubs_in(self, entry: E) -> str:
         """Of one that ``resists`` the joint whose reactions it follows."""
         raise NotImplementedError
@@ -355,6 +359,11 @@ class Acting(NamedTuple):
     def path(self) -> tuple[str, str]:
         """Its place in the file."""
         return self.section, self.name
+
+    @property
+    def at_start(self) -> Acting:
+        """The same where motion is about to start."""
+        return self._replace(entry=self.kind.at_start(self.entry))
 
     @property
     def noun(self) -> str:

@@ -11,13 +11,13 @@ A moment or force is positive where it drives the first link with the motion to 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Annotated, Any, ClassVar
 
 import numpy as np
 from pydantic import Field
 
-from linkwright.elements.entries import ForceEntry
+from linkwright.elements.entries import ForceEntry, NumberFault
 from linkwright.elements.fields import TwoLinks
 from linkwright.elements.force import (
     Array,
@@ -51,8 +51,12 @@ _PLACES = {"pin": ("in", "radius"), "slide": ("length",), "contact": ("radius",)
 
 
 def _sign_of_coefficient(context: Context) -> Sign:
+    return _sign_of(context.entry.coefficient)
+
+
+def _sign_of(coefficient: Expression) -> Sign:
     """A number mustn't be negative; what follows the motion is looked at in a run."""
-    parts = [*nodes(context.entry.coefficient.node)]
+    parts = [*nodes(coefficient.node)]
     follows = any(is_signal(part) or part == Signal("t") for part in parts)
     asks = any(isinstance(part, Call) and part.name not in FUNCTIONS for part in parts)
     return Sign.ANY if follows or asks else Sign.NOT_NEGATIVE
@@ -73,6 +77,7 @@ class Friction(ForceEntry):
     radius: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = None
     length: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = None
     coefficient: Annotated[Expression | None, _COEFFICIENT] = None
+    static: Annotated[Expression | None, Quantity(u.PURE, Sign.NOT_NEGATIVE)] = None
     viscous: Annotated[
         Expression | None,
         Quantity(lambda c: u.DAMPING if c.entry.pin is None else u.TORSIONAL_DAMPING, Sign.NOT_NEGATIVE),
@@ -89,8 +94,18 @@ class Friction(ForceEntry):
             yield "friction.stray", {"keys": Joined(strays)}
         if "coefficient" not in given and "viscous" not in given:
             yield "friction.law", {}
+        if "static" in given and "coefficient" not in given:
+            yield "friction.static", {}
         if "coefficient" in given and "pin" in given and "radius" not in given:
             yield "friction.size", {"key": "radius"}
+
+    def number_faults(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[NumberFault]:
+        """That it resists no less at the start of a motion than in it, where both are numbers."""
+        constant = self.coefficient is not None and _sign_of(self.coefficient) is Sign.NOT_NEGATIVE
+        if self.static is not None and self.coefficient is not None and constant:
+            more = value(self.static, u.PURE) - value(self.coefficient, u.PURE)
+            data = {"static": self.static.text[:40], "coefficient": self.coefficient.text[:40]}
+            yield more, Sign.NOT_NEGATIVE, ("friction.static-less", data, "static")
 
     @property
     def turns(self) -> bool:
@@ -192,6 +207,10 @@ class Frictions(ForceKind[Friction]):
                 yield Break(Signal(force), jumps=False)
 
     # What it does.
+
+    def at_start(self, entry: Friction) -> Friction:
+        """With the static coefficient."""
+        return entry if entry.static is None else entry.model_copy(update={"coefficient": entry.static, "static": None})
 
     def rubs_in(self, entry: Friction) -> str:
         return entry.joint
@@ -353,7 +372,7 @@ def _resisting(reports: ForceReports, name: str, entry: Friction) -> Array:
         return effort
     coefficient = reports.value(entry.coefficient, u.PURE)
     resisting = coefficient * _arm(reports.geometry, entry, coefficient) * _pressing(reports, entry)
-    told = reports.rows[f"{name}.{entry.effort}"]
+    told = reports.rows[f"{name}.{entry.effort}"] - effort
     vague = np.abs(speed) <= VAGUE * largest.max(initial=0.0)
     believed = np.where(np.abs(told) > NONE * np.abs(resisting), np.sign(told), 0.0)
     sense = np.where(vague, believed, -np.sign(speed))

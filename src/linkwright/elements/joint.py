@@ -212,6 +212,9 @@ class JointReports(Protocol):
     def contact(self, joint: str, link: str) -> Any:
         """The contact of a link in a joint."""
 
+    def law(self, drive: str) -> Array:
+        """What a drive prescribes (rad or m), by its law alone."""
+
     def turned(self, link: str) -> Array:
         """A link's angle (rad) over all turns since the first time, by its reported directions and rates."""
 
@@ -257,6 +260,9 @@ class JointKind(ABC):
     """Whether the coordinate by which it places a link is an angle (else a length); ``None`` where it places none."""
     drive: ClassVar[str] = ""
     """The key of drives that act in it."""
+    prescribed: ClassVar[bool] = False
+    """Whether it is no joint but what the drive of its name prescribes: its closure gives a value, which has to be that
+    of the drive's law."""
     entry: ClassVar[type[JointEntry] | None] = None
     """What a file says of it; pins and slides have entries of their own."""
     orders: ClassVar[Mapping[str, int]] = {}

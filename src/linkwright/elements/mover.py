@@ -7,7 +7,8 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from linkwright.elements.joint import Applied, Array, JointReports
+from linkwright.elements.joint import Applied, Array, JointGeometry, JointReports
+from linkwright.elements.prescribed import Track
 from linkwright.expressions import units as u
 from linkwright.expressions.units import Dimension
 
@@ -33,7 +34,8 @@ class MoverReports(JointReports, Protocol):
 
 
 class Mover(Protocol):
-    """A prescribed motion of ``link`` on ``on``: about the pin that they share, or along their line."""
+    """A prescribed motion of ``link`` on ``on``: about the pin that they share, or along their line; or of a point
+    along a line, or of the angle of links that share no pin (:mod:`linkwright.elements.prescribed`)."""
 
     @property
     def link(self) -> str:
@@ -50,6 +52,13 @@ class Mover(Protocol):
     @property
     def slides(self) -> str | None:
         """The link that is moved where the value is a length."""
+
+    @property
+    def moves(self) -> str | None:
+        """The link where the value is the place of one of its points along a line of ``on``."""
+
+    def track(self, geometry: JointGeometry) -> Track:
+        """This point and this line."""
 
     @property
     def output(self) -> str | None:
@@ -78,6 +87,10 @@ class Mover(Protocol):
 class MoverSignals:
     """How the signals of a mover are called, by whether its value is an angle or a length."""
 
+    def track(self, geometry: JointGeometry) -> Track:
+        """No mover but those of points has one."""
+        raise NotImplementedError
+
     @property
     def value(self: Mover) -> str:
         """The signal of its value: ``angle`` or ``s``."""
@@ -99,5 +112,10 @@ def exerted(mover: Mover, reports: MoverReports, name: str, effort: Array) -> li
     none = np.zeros((2, reports.count))
     if mover.turns:
         return [(mover.link, none, none, effort), (mover.on, none, none, -effort)]
-    place, along = reports.line(reports.joint_of(name), mover.on)
+    if mover.moves:
+        point, _, angle = mover.track(reports.geometry)
+        place = reports.point_position(mover.link, point)
+        along = reports.rotated(mover.on, (np.cos(float(angle)), np.sin(float(angle))))
+    else:
+        place, along = reports.line(reports.joint_of(name), mover.on)
     return [(mover.link, effort * along, place, 0.0), (mover.on, -(effort * along), place, 0.0)]

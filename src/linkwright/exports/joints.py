@@ -17,6 +17,13 @@ def unfollowed(compiled: Compiled, target: str) -> Iterator[Finding]:
             yield Finding("export.joint", compiled.mechanism.path_of(name), data)
 
 
+def unjointed(compiled: Compiled, target: str) -> Iterator[Finding]:
+    """A finding for each drive that acts without a joint of its links, for formats whose drives act in joints."""
+    for name in compiled.mechanism.drives:
+        if compiled.structure.topology.acts_apart(name):
+            yield Finding("export.drive", ("drives", name), {"name": target, "drive": name})
+
+
 def unwritten(compiled: Compiled, target: str) -> Iterator[Finding]:
     """A finding for each joint by which no link can be placed, for formats that are trees of joints."""
     for c in compiled.structure.topology.but_pins:

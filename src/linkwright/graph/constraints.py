@@ -219,6 +219,14 @@ class Constraints:
     def _sliding(self, drive: str, at: Array) -> tuple[tuple[Array, Array], Array]:
         """The two points of a sliding drive's line (of its link, of ``on``), and the direction."""
         entry = self.topology.mechanism.prescribed(drive)
+        if entry.moves:
+            point, base, turned = entry.track(self.geometry)
+            ends = [
+                _point_position(at[:, self.index[name]], np.array(place, dtype=float) / self.size)
+                for name, place in ((entry.link, point), (entry.on, base))
+            ]
+            angle = at[2, self.index[entry.on]] + float(turned)
+            return (ends[0], ends[1]), np.array([np.cos(angle), np.sin(angle)])
         joint = self.topology.drivable_joints(drive)[0].joint
         places = [
             _point_position(

@@ -36,6 +36,22 @@ class AppliedForce(ElementActionRow):
 
 
 @dataclass(frozen=True)
+class DriveForce(Row):
+    """Of the force that a drive exerts on the point that it moves: its ``x`` or ``y`` (N)."""
+
+    drive: str
+    part: str
+    called = "drive/{drive}/{part}"
+
+    def order(self, graph: Graph) -> int:
+        return graph.actions.forces
+
+    def expression(self, view: View) -> Scalar:
+        link = view.geometry.mechanism.drives[self.drive].link
+        return view.forces.efforts[self.drive] * getattr(view.motion.unit(self.drive)[link].force, self.part)
+
+
+@dataclass(frozen=True)
 class FrictionNumber(Row):
     """One of the numbers of the laws of friction, as :attr:`~linkwright.graph.friction.FrictionSystem.numbers` lists
     them."""
@@ -49,6 +65,20 @@ class FrictionNumber(Row):
     def expression(self, view: View) -> Scalar:
         assert view.forces.friction is not None
         return view.forces.friction.numbers[self.index]
+
+
+@dataclass(frozen=True)
+class HoldingEffort(Row):
+    """The torque (N m) or force (N) with which a drive holds a pose at rest without any friction."""
+
+    drive: str
+    called = "holding/{drive}"
+
+    def order(self, graph: Graph) -> int:
+        return graph.actions.forces
+
+    def expression(self, view: View) -> Scalar:
+        return view.breakaway(self.drive, 1, friction=False)
 
 
 @dataclass(frozen=True)

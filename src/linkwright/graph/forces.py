@@ -258,10 +258,13 @@ class _Solver:
 
     def higher_group(self, step: HigherGroup) -> None:
         solved, bodies = self.motion.higher_groups[step], self.motion.bodies
-        actions = solved.balance({link: self.wrenches[link] for link in step.links}, bodies, self.beside)
-        for connection, wrenches in zip(step.closures, actions, strict=True):
-            for link, own in zip(connection.links, wrenches, strict=True):
-                self.react(connection.joint, link, own.opposite)
+        balanced = solved.balance({link: self.wrenches[link] for link in step.links}, bodies, self.beside)
+        for connection, (actions, multipliers) in zip(step.closures, balanced, strict=True):
+            if connection.kind.prescribed:
+                (self.forces.efforts[connection.joint],) = multipliers
+            for link, own in zip(connection.links, actions, strict=True):
+                if not connection.kind.prescribed:
+                    self.react(connection.joint, link, own.opposite)
                 self.wrenches[link] = self.wrenches[link].plus(own)
         for edge in reversed(step.edges):
             if edge.drive is not None:

@@ -9,12 +9,12 @@ from the closure just as for a dyad, by linear systems with a matrix of more tha
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from functools import partial
 from itertools import islice, product
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -37,6 +37,13 @@ class Beside(Enum):
     ALL = "all"
     CONSTANT = "constant"
     NONE = "none"
+
+
+class Balanced(NamedTuple):
+    """What a closure does: the wrenches on its links, and the multipliers of its equations (N, of an angle N m)."""
+
+    actions: list[Wrench]
+    multipliers: list[Scalar]
 
 
 @dataclass(frozen=True)
@@ -63,8 +70,8 @@ class SolvedHigherGroup:
             product = product * call("sqrt", sum((entry * entry for entry in column), 0.0))
         return self.factor.determinant() / product
 
-    def balance(self, wrenches: dict[str, Wrench], bodies: dict[str, Body], beside: Beside) -> list[list[Wrench]]:
-        """The wrenches on the links of each closure that keep all links in equilibrium."""
+    def balance(self, wrenches: dict[str, Wrench], bodies: dict[str, Body], beside: Beside) -> list[Balanced]:
+        """Of each closure what keeps all links in equilibrium."""
         multipliers = self._answer(wrenches)
         found = self._actions(multipliers, bodies)
         # Forces that follow from the multipliers and do no work leave these as they are; other closures answer them.
@@ -74,18 +81,27 @@ class SolvedHigherGroup:
             more.append([] if beside is Beside.NONE else inner.besides([bodies[link] for link in c.links], follows))
             left = left[c.rows :]
         if not any(more):
-            return found
+            return self._balanced(found, multipliers)
         extras: dict[str, Wrench] = {}
         for (c, _), extra in zip(self.closures, more, strict=True):
             for link, wrench in zip(c.links, extra, strict=False):
                 extras[link] = extras[link].plus(wrench) if link in extras else wrench
-        answers = self._actions(self._answer(extras), bodies)
-        return [
+        answering = self._answer(extras)
+        answers, total = self._actions(answering, bodies), [a + b for a, b in zip(multipliers, answering, strict=True)]
+        actions = [
             [own.plus(answer).plus(extra[k]) if extra else own.plus(answer) for k, (own, answer) in enumerate(pairs)]
             for pairs, extra in (
                 (list(zip(a, b, strict=True)), e) for a, b, e in zip(found, answers, more, strict=True)
             )
         ]
+        return self._balanced(actions, total)
+
+    def _balanced(self, actions: list[list[Wrench]], left: list[Scalar]) -> list[Balanced]:
+        found = []
+        for (c, _), wrenches in zip(self.closures, actions, strict=True):
+            found.append(Balanced(wrenches, left[: c.rows]))
+            left = left[c.rows :]
+        return found
 
     def _answer(self, wrenches: dict[str, Wrench]) -> list[Scalar]:
         """The multipliers of all equations that keep the links in equilibrium under wrenches."""
@@ -122,14 +138,14 @@ def solve_higher_group(motion: Motion, step: HigherGroup, drives: dict[str, Jet]
     # Step 2: how each coordinate moves the links, and from that the matrix of the closure equations. It is factored
     # once and serves all rates, the equilibrium and Newton.
     fields, twists = _fields(motion, step)
-    gaps = [gap.d[0] for gap in _gaps(motion, closures)]
+    gaps = [gap.d[0] for gap in _gaps(motion, closures, drives)]
     slopes = _slopes(motion, closures, fields)
     factor = Factor(slopes)
     # Step 3: each time derivative of the closure is linear in the highest rates with this same matrix. Set these to
     # zero, see what the equations miss, and solve for them.
     for k in range(1, motion.order + 1):
         place_links([0.0])
-        rest = [gap.d[k] for gap in _gaps(motion, closures)]
+        rest = [gap.d[k] for gap in _gaps(motion, closures, drives)]
         for edge, q in zip(step.free, factor.solve(rest), strict=True):
             rates[edge].append(-q)
     # Step 4: place the links once more with all rates.
@@ -142,12 +158,20 @@ def solve_higher_group(motion: Motion, step: HigherGroup, drives: dict[str, Jet]
 Closures = list[tuple[Connection, Inner]]
 
 
-def _gaps(motion: Motion, closures: Closures) -> list[Jet]:
+def _gaps(motion: Motion, closures: Closures, drives: Mapping[str, Jet]) -> list[Jet]:
     """What the equations of closures miss, with all rates of the bodies."""
-    return [gap for c, inner in closures for gap in _gap(motion, c, inner)]
+    return [gap for c, inner in closures for gap in _gap(motion, c, inner, drives)]
 
 
-def _gap(motion: Motion, c: Connection, inner: Inner) -> Sequence[Jet]:
+def _gap(motion: Motion, c: Connection, inner: Inner, drives: Mapping[str, Jet]) -> Sequence[Jet]:
+    if c.kind.prescribed:
+        ((value,), angle) = inner.gap(*(motion.bodies[link] for link in c.links)), c.kind.row_units[0] == "angle"
+        missed = value - drives[c.joint]
+        if angle and any(motion.bodies[link].angle is None for link in c.links):
+            # Of such links the direction alone is known: whole turns don't count.
+            turned = missed.d[0]
+            missed = Jet([call("arctan2", call("sin", turned), call("cos", turned)), *missed.d[1:]])
+        return (missed,)
     return answered(c.kind, c.joint, motion.bodies, lambda bodies: inner.gap(*(bodies[link] for link in c.links)))
 
 

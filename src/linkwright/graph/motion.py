@@ -16,6 +16,7 @@ from linkwright.graph.wedges import SolvedWedge, solve_wedge
 from linkwright.groups import REGISTRY, Dyad, Solved
 from linkwright.groups.dyad import determinant_of
 from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
+from linkwright.notation.planar import unit_vector
 from linkwright.structure import FRAME, Driven, Group, HigherGroup, Step, Structure, Wedge
 
 Branch = Callable[[Group, Dyad], Scalar]
@@ -75,6 +76,10 @@ class Motion:
         entry = self.geometry.mechanism.movers[mover]
         if entry.turns:
             wrench = Wrench(Pair(0.0, 0.0), 1.0, Pair(0.0, 0.0))
+        elif entry.moves:
+            track, on = entry.track(self.geometry), self.bodies[entry.on]
+            place = self.bodies[entry.link].point(track.point).now
+            wrench = Wrench(on.direction(unit_vector(track.angle)).now, 0.0, place)
         else:
             joint, on = self.structure.topology.acting(mover)[0].joint, self.bodies[entry.on]
             point, heading = self.geometry.line(joint, entry.on)

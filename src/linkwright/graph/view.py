@@ -16,6 +16,7 @@ from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, signal_text
 from linkwright.expressions.units import Dimension
 from linkwright.graph.actions import active, given_wrenches
+from linkwright.graph.creeping import creeping_rates
 from linkwright.graph.derivative_orders import DRIVE_ORDERS, LETTERS, LINK_ORDERS, SLIDE_ORDERS
 from linkwright.graph.forces import Forces, solve_forces
 from linkwright.graph.friction import Resisting
@@ -24,7 +25,7 @@ from linkwright.graph.motion import Motion, solve_motion
 from linkwright.graph.placing import answered
 from linkwright.graph.power import dissipated, supplied, totals
 from linkwright.graph.singular_orders import pole
-from linkwright.model.signals import POWER, Signal
+from linkwright.model.signals import BREAKAWAY, POWER, Signal
 from linkwright.notation import Body, Jet, Scalar, Vec, Wrench
 from linkwright.notation.symbols import Symbol
 from linkwright.structure import FRAME
@@ -45,10 +46,17 @@ class View:
     laws: dict[str, Jet]
     given: dict[str, Any]  # the inputs of acting elements and followers
     plays: list[Any]
+    starting: bool = False  # whether all resists as where motion is about to start
 
     @classmethod
     def build(
-        cls, graph: Graph, order: int, inputs: tuple[str, ...], plays: Sequence[str] = (), nearest: bool = False
+        cls,
+        graph: Graph,
+        order: int,
+        inputs: tuple[str, ...],
+        plays: Sequence[str] = (),
+        nearest: bool = False,
+        starting: bool = False,
     ) -> View:
         symbols = [Symbol.named(name) for name in inputs]
         x, first = ca.vertcat(*symbols), len(graph.motion_inputs)
@@ -71,13 +79,14 @@ class View:
             unknowns.__getitem__,
             Motion(graph.structure, geometry, order, nearest=nearest),
         )
-        return cls(graph, x, ca.vertcat(*values), motion, laws, given, offsets)
+        return cls(graph, x, ca.vertcat(*values), motion, laws, given, offsets, starting)
 
     @cached_property
     def forces(self) -> Forces:
         pushes = {name: dict(at.wrenches) for name, at in self.contacts.items()}
         holds = {name: (dict(at.wrenches), self.contacts[name].reach / at.reach) for name, at in self.seconds.items()}
-        resisting = [Resisting.of(self, one) for one in self.graph.actions.resisting]
+        every = self.graph.actions.resisting
+        resisting = [Resisting.of(self, one.at_start if self.starting else one) for one in every]
         return solve_forces(self.motion, given_wrenches(self), pushes, holds, resisting)
 
     @cached_property
@@ -95,6 +104,20 @@ class View:
             if (other := follower.second(name, self.motion, ratio, total)) is not None:
                 found[name] = other
         return found
+
+    def breakaway(self, drive: str, sense: int, friction: bool = True) -> Scalar:
+        """The effort (N m or N) at which a drive starts the motion from rest, towards larger values or (``sense`` -1)
+        smaller ones; without ``friction`` the one that holds the pose.
+
+        All creeps in the sense of the drive, so slowly that speeds tell directions alone and no inertia is left."""
+        still = View.build(self.graph, 2, self.graph.inputs, [play.name() for play in self.plays], starting=True)
+        forces = still.forces
+        assert forces.friction is not None
+        effort = forces.efforts[drive] if friction else forces.friction.drives[drive]
+        rows = creeping_rates(self.graph, drive, sense, lambda i: self.x[i])
+        x = ca.vertcat(*(rows.get(i, self.x[i]) for i in range(self.x.numel())))
+        before, after = ca.vertcat(still.x, still.p, *still.plays), ca.vertcat(x, self.p, *self.plays)
+        return ca.substitute(ca.SX(effort), before, after)
 
     def row(self, named: Named) -> Scalar:
         """The expression of one output row."""
@@ -210,6 +233,8 @@ class View:
             return acting.signals[signal.attribute]
         if (order := DRIVE_ORDERS.get(signal.attribute)) is not None:
             return self.drive_value(name, order)
+        if signal.attribute in BREAKAWAY:
+            return self.breakaway(name, BREAKAWAY[signal.attribute])
         effort = self.forces.efforts[name]
         return effort * self.drive_value(name, 1) if signal.attribute == "power" else effort
 

@@ -50,6 +50,7 @@ class Compiled:
     passages: Passages = field(default_factory=Passages)
     plane: LinkagePlane | None = None  # where a sketch of three coordinates lies in the vehicle
     folder: Path | None = None  # where the files of its tables lie
+    adjusted: Callable[[Array], Array] | None = None  # what is changed of all inputs before the program runs
     _kernels: dict[tuple[tuple[Named, ...], bool], Kernel] = field(default_factory=dict)
     _nodes: dict[tuple[Passage, tuple[Named, ...], bool], Array] = field(default_factory=dict, init=False)
     _kept: dict[object, Any] = field(default_factory=dict, init=False)
@@ -131,7 +132,8 @@ class Compiled:
             self._kernels[key] = KERNELS[self.kernel](self.graph.program(*key))
         program = self.graph.program(*key)
         actions = any(row >= self.supply.first for row in program.used[0])
-        return self._kernels[key].run(self.inputs(t, actions=actions), self.parameters)
+        x = self.inputs(t, actions=actions or self.adjusted is not None)
+        return self._kernels[key].run(x if self.adjusted is None else self.adjusted(x), self.parameters)
 
     def _limits(self, passage: Passage, names: tuple[Named, ...], t: Array, rates: bool) -> Array:
         """The program's rows in a passage's band."""

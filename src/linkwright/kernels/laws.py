@@ -75,19 +75,23 @@ class _LawReader:
         drive = self.quantities.mechanism.drives[name]
         dimension = self.quantities.drive_dimension(name)
         turning = dimension == u.ANGLE
+        if self.quantities.mechanism.path_law(name) is not None:
+            return self._tried(name, ("paths", str(drive.output)), self.quantities.law(name))
         if drive.position is None:
             if drive.start is None or drive.speed is None:
                 return None  # a fault that is told already
             return self._constant([self.quantities.bind(part, of) for part, of in drive.uniform(turning)])
-        path = ("drives", name, "position")
-        node = self.quantities.bind(drive.position, dimension)
+        return self._tried(name, ("drives", name, "position"), self.quantities.bind(drive.position, dimension))
+
+    def _tried(self, name: str, path: tuple[str, ...], node: Node) -> DriveLaw | None:
+        """The law that an expression gives, tried at t = 0; ``path`` is its place in the file."""
         for part in nodes(node):
             if isinstance(part, Name | Call) and is_signal(part):
                 self.findings.append(Finding("drive.signal", path, {"name": getattr(part, "text", "force")}))
                 return None
             if isinstance(part, Call) and not self._has_function(part.name, path):
                 return None
-        law = self._expression(name, node)
+        law = self._expression(name, path, node)
         try:
             law(np.zeros(1))
         except ModelError as error:
@@ -118,7 +122,7 @@ class _LawReader:
 
         return self._law(law, *parts)
 
-    def _expression(self, drive: str, node: Node) -> DriveLaw:
+    def _expression(self, drive: str, path: tuple[str, ...], node: Node) -> DriveLaw:
         tables, motions = self.tables, self.motions
 
         def law(t: Array, parameters: Parameters, strict: bool) -> Jet:
@@ -142,12 +146,12 @@ class _LawReader:
                     value = evaluate(node, name_value, call_value)
             except OutsideTable as error:
                 data = {"drive": drive, "at": error.at, "low": error.low, "high": error.high}
-                raise ModelError([Finding("drive.outside-table", ("drives", drive, "position"), data)]) from None
+                raise ModelError([Finding("drive.outside-table", path, data)]) from None
             except ZeroDivisionError:
                 value = np.nan
             jet = value if isinstance(value, Jet) else Jet.constant(value, ORDER)
             if strict:
-                must_be_finite("drive.not-finite", ("drives", drive, "position"), {"drive": drive}, t, jet)
+                must_be_finite("drive.not-finite", path, {"drive": drive}, t, jet)
             return jet
 
         return self._law(law, node)

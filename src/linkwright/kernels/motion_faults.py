@@ -62,10 +62,11 @@ Asker = tuple[tuple[str, ...], Follower | None]
 def asking(m: Mechanism) -> dict[str, list[Asker]]:
     """Of each law, the drives and followers that ask it."""
     found: dict[str, list[Asker]] = {}
-    for name, drive in m.drives.items():
-        if drive.position is not None:
-            for called in {n.name for n in nodes(drive.position.node) if isinstance(n, Call)} & m.laws.keys():
-                found.setdefault(called, []).append((("drives", name, "position"), None))
+    stated = [(("drives", name, "position"), drive.position) for name, drive in m.drives.items() if drive.position]
+    stated += [(("paths", name, key), position) for name, path in m.paths.items() for key, position in path.stated]
+    for place, position in stated:
+        for called in {n.name for n in nodes(position.node) if isinstance(n, Call)} & m.laws.keys():
+            found.setdefault(called, []).append((place, None))
     for name, follower in m.followers.items():
         for key, law in follower.laws.items():
             found.setdefault(law, []).append(((*m.path_of(name), key), follower))

@@ -13,7 +13,7 @@ _WORDS = {
     "element.contact": "contact contacts collision stop stops impact",
     "element.damper": "damper dampers dashpot dashpots shock_absorber",
     "element.friction": "friction frictions mu friction_coefficient coefficient_of_friction",
-    "element.gear": "gear gears gearing gear_pair gearbox pinion gear_ratio",
+    "element.gear": "gear gears gearing gear_pair gearbox pinion gear_ratio differentials planetary",
     "element.geneva": "geneva geneva_drive geneva_wheel maltese maltese_cross",
     "element.intermittent": "ratchet ratchets pawl pawls escapement escapements star_wheel star_wheels internal_geneva",
     "element.limits": "limit limits stroke range joint_limits",

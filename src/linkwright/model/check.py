@@ -114,6 +114,28 @@ def _pins(m: Mechanism) -> Iterator[Finding]:
                 yield Finding("joint.pin-twice", path, {"link": link, "points": at, "pin": name})
 
 
+def _paths(m: Mechanism) -> Iterator[Finding]:
+    """That two drives follow each path, and laws are stated once."""
+    for name, path in m.paths.items():
+        if path.moves == path.on:
+            yield Finding("joint.same-link", ("paths", name), {"name": path.moves})
+        if len(drives := m.path_drives(name)) != 2:
+            yield Finding(
+                "path.drives", ("paths", name), {"name": name, "count": len(drives), "drives": Joined(drives)}
+            )
+        for taken, noun in ((m.links, "a-link"), (m.joints, "a-joint")):
+            if name in taken:
+                yield Finding(
+                    "name.taken", ("paths", name), {"name": name, "first": Term(noun), "second": Term("a-path")}
+                )
+    for name, drive in m.drives.items():
+        law = drive.speed if drive.position is None else drive.position
+        if drive.output in m.paths and law is not None:
+            yield Finding("path.two-laws", ("drives", name), {"drive": name, "path": drive.output})
+        elif drive.output is not None and drive.output not in m.paths and law is None:
+            yield Finding("drive.law", ("drives", name))
+
+
 def _drives(m: Mechanism) -> Iterator[Finding]:
     if not m.drives:
         yield Finding("model.no-drive", ("drives",))
@@ -127,12 +149,14 @@ def _drives(m: Mechanism) -> Iterator[Finding]:
             if drive.output not in KINDS["output"].known(m):
                 continue
             entry = m.prescribed(name)
-            if {entry.link, entry.on} == {drive.link, drive.on}:
+            if not entry.moves and {entry.link, entry.on} == {drive.link, drive.on}:
                 data = {"name": drive.output, "link": drive.link, "on": drive.on}
                 yield Finding("drive.output-own", (*path, "output"), data)
                 continue
         for seen, entry in ((acting, drive), (moved, m.prescribed(name))):
             pair = frozenset((entry.link, entry.on))
+            if entry.moves:
+                continue  # two directions, or two points, are different motions
             if pair in seen:
                 yield Finding("drive.twice", path, {"other": seen[pair], "a": entry.link, "b": entry.on})
                 break
@@ -158,5 +182,5 @@ def _resisting(m: Mechanism) -> Iterator[Finding]:
                 yield Finding("friction.second-contact", one.path, {"name": name})
 
 
-_PARTS = (_parameters, _links, _collisions, _joints, _pins, _drives, _acting, _resisting)
+_PARTS = (_parameters, _links, _collisions, _joints, _pins, _paths, _drives, _acting, _resisting)
 _SHORT = ("cylinders", "cams")

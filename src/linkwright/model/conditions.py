@@ -139,6 +139,7 @@ def _elements(q: Quantities, values: Values, nominal: bool) -> Iterator[Conditio
     m, places = q.mechanism, _Places(q, values)
     stated: list[tuple[tuple[str | int, ...], Iterator[NumberFault]]] = [
         *((one.path, one.entry.number_faults(values)) for one in m.acting()),
+        *((("paths", name), path.number_faults(values)) for name, path in m.paths.items()),
         *((("joints", name), joint.number_faults(values)) for name, joint in m.joints.items()),
         *((("joints", name), joint.place_faults(places, nominal)) for name, joint in m.joints.items()),
     ]

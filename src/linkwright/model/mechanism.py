@@ -30,6 +30,7 @@ from linkwright.elements.force import Acting, acting
 from linkwright.elements.friction import Friction
 from linkwright.elements.load import Load
 from linkwright.elements.mover import Mover
+from linkwright.elements.path import Coordinate, PointPath
 from linkwright.elements.points import FRAME
 from linkwright.elements.spring import Spring
 from linkwright.escape import line
@@ -213,6 +214,7 @@ class Mechanism(Frozen):
         default_factory=FrozenDict
     )
     drives: Annotated[dict[Name, Drive], _bound, freeze] = Field(default_factory=FrozenDict)
+    paths: Annotated[dict[Name, PointPath], _bound, freeze] = Field(default_factory=FrozenDict)
     tables: Annotated[dict[Name, Table], _bound, freeze] = Field(default_factory=FrozenDict)
     laws: Annotated[dict[Name, MotionLaw], _bound, freeze] = Field(default_factory=FrozenDict)
     cams: Annotated[dict[Name, Cam], _bound, freeze] = Field(default_factory=FrozenDict)
@@ -270,10 +272,20 @@ class Mechanism(Frozen):
         entry = self.drives.get(mover)
         if entry is None or entry.output is None:
             return entry or self._followers[mover]
+        if (path := self.paths.get(entry.output)) is not None:
+            return Coordinate(path, entry.output, self.path_drives(entry.output).index(mover) > 0)
         if (joint := self.joints.get(entry.output)) is not None:
             on, link = joint.links
             return entry.model_copy(update={"turns": None, "slides": link, "on_": on})
         return entry.model_copy(update={"turns": entry.output, "slides": None, "on_": FRAME})
+
+    def path_drives(self, path: str) -> list[str]:
+        """The drives that move a point along a path: of two the first prescribes x, the second y."""
+        return [name for name, drive in self.drives.items() if drive.output == path]
+
+    def path_law(self, drive: str) -> PointPath | None:
+        """The path that has the law of a drive, if it isn't the drive's own."""
+        return self.paths.get(self.drives[drive].output or "")
 
     @property
     def title(self) -> str:

@@ -115,7 +115,7 @@ class Names:
         todo: list[Node] = [place.expression.node]
         while todo:
             node = todo.pop()
-            lawful = place.path[:1] == ("drives",) or place.scope is Scope.TURN
+            lawful = place.path[:1] in (("drives",), ("paths",)) or place.scope is Scope.TURN
             if isinstance(node, Call) and node.name in self.mechanism.laws and not lawful:
                 yield Finding("law.place", place.path, {"name": node.name})
             elif not isinstance(node, Name | Call) or self._may_stand(node, place.scope):

@@ -32,8 +32,8 @@ OF_FORMULA = FrozenDict({ARGUMENT: u.PURE})
 """What a motion law's formula names."""
 
 SECTIONS = (
-    "parameters", "plane", "gravity", "links", "joints", "cylinders", "assembly", "drives", "cams", *NOUNS, "tables",
-    "laws", "windows",
+    "parameters", "plane", "gravity", "links", "joints", "cylinders", "assembly", "drives", "paths", "cams", *NOUNS,
+    "tables", "laws", "windows",
 )  # fmt: skip
 """The sections in the order in which their dimensions are inferred; measures follow, each with its bounds."""
 

@@ -148,6 +148,13 @@ class Quantities:
         """A window by its name."""
         return BoundWindow.of(self.mechanism.windows[name], self.dimensions)
 
+    def law(self, drive: str) -> Node:
+        """The law of a drive as a tree in SI: of the time t, parameters and called functions."""
+        entry, path = self.mechanism.drives[drive], self.mechanism.path_law(drive)
+        if path is None:
+            return entry.tree(self.bind, self.drive_dimension(drive) == u.ANGLE)
+        return path.coordinate(self.bind, self.mechanism.path_drives(str(entry.output)).index(drive) > 0)
+
     def drive_dimension(self, drive: str) -> Dimension:
         """The dimension of what a drive prescribes: an angle or a length."""
         return u.ANGLE if self.mechanism.prescribed(drive).turns else u.LENGTH

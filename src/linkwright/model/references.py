@@ -44,7 +44,7 @@ KINDS: Mapping[str, ElementKind] = {
     "slide": ElementKind(_slides, "joints", "slide"),
     "extended": ElementKind(lambda m: [*_slides(m), *m.cylinders], "cylinders", "slide"),
     "output": ElementKind(
-        lambda m: [*_slides(m), *(link for link in m.links if link != FRAME)], "joints", code="drive.output"
+        lambda m: [*_slides(m), *m.paths, *(link for link in m.links if link != FRAME)], "joints", code="drive.output"
     ),
     "drive": ElementKind(lambda m: m.movers, "drives", "drive"),
     "motor": ElementKind(lambda m: m.drives, "drives", "drive"),

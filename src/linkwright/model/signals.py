@@ -32,6 +32,8 @@ TOTALS = {"stored": u.ENERGY, "supplied": u.POWER, "dissipated": u.POWER}
 """Sums over the mechanism, only by name: all energy stored; the power of all drives; what loads, dampers and friction
 take and don't store."""
 POWER = {"supplied": u.POWER, "dissipated": u.POWER}
+BREAKAWAY = {"breakaway_forward": 1, "breakaway_backward": -1}
+"""The efforts at which a drive starts the motion from rest, towards larger and smaller values."""
 POLE = dict.fromkeys(("x", "y", "u", "v"), u.LENGTH)
 
 
@@ -131,6 +133,16 @@ class Signals:
         m = self.mechanism
         return (*m.links, *self.links_of_points, *(name for name, _ in m.joints_but_pins()), *m.movers, *self.acting)
 
+    def breaks_away(self, mover: str) -> bool:
+        """Whether a drive has efforts at which it starts the motion from rest: where something resists more at rest."""
+        drive = self.mechanism.drives.get(mover)
+        return drive is not None and drive.output is None and self.static
+
+    @cached_property
+    def static(self) -> bool:
+        """Whether something resists more at rest than in motion."""
+        return any(one.at_start.entry is not one.entry for one in self.mechanism.acting())
+
     def contact(self, names: Sequence[str]) -> Contact:
         """The contact that ``force(names...)`` means. Raises DimensionError naming what is wrong."""
         link, on, *rest = [*names, "", ""][: max(2, len(names))]
@@ -153,7 +165,8 @@ class Signals:
         if (joint := m.joints.get(owner)) is not None and not joint.revolute and not joint.follows:
             return ("slide", SLIDE) if joint.prismatic else ("joint", dict(joint.signals))
         if (mover := m.movers.get(owner)) is not None:
-            return "drive", dict(mover.signals)
+            starts = dict.fromkeys(BREAKAWAY, mover.signals[mover.effort]) if self.breaks_away(owner) else {}
+            return "drive", {**mover.signals, **starts}
         if (one := self.acting.get(owner)) is not None:
             return one.noun, dict(one.kind.signals(one.entry))
         if owner == "shaking":

@@ -14,7 +14,7 @@ from itertools import chain
 from linkwright.elements.cylinder import Cylinder, links_of
 from linkwright.elements.drive import Drive
 from linkwright.elements.points import links_of_points
-from linkwright.expressions.fields import AssemblyRule, Expression, Position
+from linkwright.expressions.fields import AssemblyRule, Expression, LineOn, Position
 from linkwright.expressions.unknown import near
 from linkwright.expressions.written import RESERVED, FrozenDict
 from linkwright.findings import Finding
@@ -127,6 +127,8 @@ class _Sketch:
         """What a drive prescribes, in the sketch: an angle between two links, a cylinder's length, a travel on the
         frame; of a drive with an output, that of the output.
         """
+        if drive.moves:
+            return self.along(drive)
         slide = drive.output or drive.extends
         if slide in self.m.cylinders:
             return self.between(self.m.cylinders[slide], self.distance)
@@ -156,10 +158,19 @@ class _Sketch:
     def travel(self, joint: Joint) -> Text | None:
         """The travel of a slide whose first link is the frame, between two sketched points."""
         assert joint.line is not None
-        start, end = (line.point for line in joint.line)
-        if joint.links[0] != FRAME or not {start, end} <= self.m.sketch.keys():
+        return self.distance_along(joint.line[0], joint.line[1].point) if joint.links[0] == FRAME else None
+
+    def along(self, drive: Drive) -> Text | None:
+        """The place of a drive's point along a line of the frame, between two sketched points."""
+        if drive.on != FRAME or drive.along is None or drive.at is None:
             return None
-        (x, y), angle = self.step(start, end), joint.line[0].angle.text
+        return self.distance_along(drive.along, drive.at)
+
+    def distance_along(self, line: LineOn, point: str) -> Text | None:
+        """How far along a line of the frame a sketched point lies."""
+        if not {line.point, point} <= self.m.sketch.keys():
+            return None
+        (x, y), angle = self.step(line.point, point), line.angle.text
         return f"({x})*cos({angle}) + ({y})*sin({angle})"
 
 
@@ -220,7 +231,7 @@ def _has_sketched_value(m: Mechanism, drive: Drive) -> bool:
 def _sound(m: Mechanism, drive: Drive) -> bool:
     """Whether all that a drive names is there: else that is its fault, whatever the sketch tells."""
     links = {*m.links, *chain.from_iterable(map(links_of, m.cylinders))}
-    named = {drive.turns, drive.on, drive.slides, drive.extends, drive.output} - {None, ""}
+    named = {drive.turns, drive.on, drive.slides, drive.extends, drive.moves, drive.output} - {None, ""}
     cylinders = [m.cylinders[name] for name in named if name in m.cylinders]
     ends = {end for cylinder in cylinders for end in (cylinder.from_, cylinder.to)}
     return named <= links | m.cylinders.keys() | m.joints.keys() and ends <= {*links_of_points(m), *shared_pins(m)}

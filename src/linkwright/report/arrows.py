@@ -13,7 +13,7 @@ from linkwright.elements.cylinder import ends_of
 from linkwright.escape import printed
 from linkwright.expressions.units import ACCELERATION, FORCE, LENGTH, SPEED, TORQUE, Dimension
 from linkwright.graph.force_rows import FORCE as FORCE_PARTS
-from linkwright.graph.force_rows import MOMENT, PLACE, AppliedForce, ReactionPlace, Weight
+from linkwright.graph.force_rows import MOMENT, PLACE, AppliedForce, DriveForce, ReactionPlace, Weight
 from linkwright.graph.rows import Named
 from linkwright.model.pins import Pin
 from linkwright.model.signals import Contact
@@ -53,7 +53,8 @@ DIMENSIONS: dict[ArrowKind, Dimension] = {
 
 def arrows(result: Result) -> list[Arrow]:
     """All arrows of a motion that have a length."""
-    every = [*chain(_rates(result), _reactions(result), _loads(result), _weights(result), _moments(result))]
+    forces = (_reactions, _loads, _drive_forces, _weights, _moments)
+    every = [*chain(_rates(result), *(of(result) for of in forces))]
     rows = [*dict.fromkeys(row for arrow in every for row in arrow.vector)]
     values = dict(zip(rows, result.run.compiled.evaluate(rows, result.t), strict=True)) if rows else {}
     lengths = [_largest(np.linalg.norm([values[row] for row in arrow.vector], axis=0)) for arrow in every]
@@ -132,6 +133,16 @@ def _loads(result: Result) -> Iterator[Arrow]:
             yield Arrow("load", one.name, (fx, fy), (x, y))
 
 
+def _drive_forces(result: Result) -> Iterator[Arrow]:
+    """What drives exert on the points that they move."""
+    compiled = result.run.compiled
+    for name in compiled.graph.motors:
+        drive = compiled.mechanism.drives[name]
+        if drive.moves and drive.at:
+            x, y = (DriveForce(name, part) for part in FORCE_PARTS)
+            yield Arrow("load", name, (x, y), None, (drive.link, drive.at))
+
+
 def _weights(result: Result) -> Iterator[Arrow]:
     mechanism = result.run.compiled.mechanism
     if mechanism.gravity is None:
@@ -159,8 +170,11 @@ def _torques(result: Result) -> Iterator[Arrow]:
     topology = compiled.structure.topology
     for name in compiled.graph.motors:
         drive = compiled.mechanism.drives[name]
-        joints = [one.joint for one in topology.acting(name)]
-        if drive.turns and (pins := [topology.pins[joint] for joint in joints if joint in topology.pins]):
+        if not drive.turns:
+            continue
+        # Without a pin of both links it is drawn at a pin of the link that it turns.
+        joints = topology.acting(name) or topology.connections_of(drive.link)
+        if pins := [topology.pins[one.joint] for one in joints if one.joint in topology.pins]:
             torque = f"{name}.{drive.effort}"
             yield Arrow("moment", torque, (torque,), None, (drive.link, pins[0].point(drive.link)))
 

@@ -8,8 +8,10 @@ from functools import partial
 
 import numpy as np
 
+from linkwright.elements.drive import Drive
 from linkwright.elements.entries import NOUNS
 from linkwright.elements.mover import Mover
+from linkwright.elements.path import AXES
 from linkwright.expressions import units as u
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Joined, Said, Text
@@ -66,8 +68,19 @@ def _subject(compiled: Compiled, name: str, drive: Mover) -> Said:
     m = compiled.mechanism
     if (follower := m.followers.get(name)) is not None:
         return Said("fact.drive.follower", link=drive.link, on=drive.on, motor=follower.motor, kind=follower.title)
+    if name in m.drives and (path := m.path_law(name)) is not None:
+        said = {"point": path.at, "moved": path.moves, "path": drive.output}
+        return Said("fact.drive.path", link=drive.link, on=drive.on, **said)
     if drive.output is not None:
         return Said("fact.drive.output", link=drive.link, on=drive.on, output=drive.output)
+    if isinstance(drive, Drive) and drive.moves and drive.at and drive.along:
+        return Said(
+            "fact.drive.point",
+            point=drive.at,
+            link=drive.link,
+            on=drive.on,
+            line=f"{drive.along.point} at {drive.along.angle.text}",
+        )
     cylinders = [c.joint for c in compiled.structure.topology.acting(name) if c.joint in m.cylinders]
     if drive.slides and cylinders:
         return Said("fact.drive.cylinder", cylinder=cylinders[0])
@@ -87,6 +100,9 @@ def _motion(compiled: Compiled, name: str) -> Said:
         laws = Joined(follower.laws.values())
         return Said("fact.law.follower", law=laws, **said) if laws else Said("fact.law.given", **said)
     drive = compiled.mechanism.drives[name]
+    if compiled.mechanism.path_law(name) is not None:
+        across = compiled.mechanism.path_drives(str(drive.output)).index(name) > 0
+        return Said("fact.law.path", axis=AXES[across], **said)
     if drive.position is not None:
         law = drive.position.text
         return Said("fact.law.position", law=law, **said) if len(law) <= LONGEST else Said("fact.law.given", **said)

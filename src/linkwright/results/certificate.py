@@ -11,6 +11,8 @@ from linkwright.elements.joint import Rate
 from linkwright.findings import Joined, Term
 from linkwright.graph.rows import determinants, spans
 from linkwright.kernels.kernel_selection import KernelChoice, choose
+from linkwright.model.signals import BREAKAWAY
+from linkwright.results.breakaway import creeping, efforts, starting
 from linkwright.results.independent_check import Reports
 from linkwright.results.quadrature import panel_points
 from linkwright.results.run import Run
@@ -19,7 +21,7 @@ from linkwright.structure import FRAME
 
 Array = NDArray[np.float64]
 
-RESIDUALS = ("closure", "equilibrium", "power", "work")
+RESIDUALS = ("closure", "equilibrium", "power", "work", "starting")
 PROVEN = 1e-9
 """A residual below this holds: far under any drawing tolerance, far over round-off."""
 
@@ -42,6 +44,8 @@ class Certificate:
     power: worst sum of drive, load, gravity and inertia power, over the sum of their sizes.
     work: work of drives and loads less the change of energy over the run, over the work's and energies' sizes.
     The last three are ``None`` where no link has mass and nothing loads it: there is nothing to balance.
+    starting: worst force or moment left where the drives start the motion from rest by the reported efforts, and misfit
+    of these, over the largest force; ``None`` without static coefficients.
     """
 
     closure: float
@@ -58,6 +62,7 @@ class Certificate:
     followed: dict[str, tuple[int, float]]  # of groups solved by Newton: steps of the path, largest correction
     poses: int
     choice: KernelChoice  # of the kernel, and why
+    starting: float | None = None
     measures: float | None = None  # the worst contradiction to a reported measure; None without measures
 
     @property
@@ -105,6 +110,7 @@ def certify(run: Run) -> Certificate:
         changes={group: times for group, times in changes.items() if times},
         followed={f.higher_group.label: (len(f.path.t) - 1, f.correction) for f in compiled.followers},
         poses=reports.count,
+        starting=starts(reports),
         choice=choose(compiled.graph.program(reports.names), reports.count),
     )
 
@@ -123,7 +129,7 @@ def _branch(rule: str, times: tuple[float, ...]) -> str | Term:
 def closure(r: Reports) -> float:
     """The worst miss of a joint, a slide's direction or a unit vector, over the mechanism's size or 1."""
     misses, size = [0.0], r.size()
-    for name, (kind, links) in r.topology.joints.items():
+    for name, (kind, links) in (r.topology.joints | r.topology.equations).items():
         misses += [_worst(miss.value) / (size if miss.length else 1.0) for miss in kind.misses(r, name, links)]
     for name, follower in r.mechanism.followers.items():
         misses += [_worst(miss.value) / (size if miss.length else 1.0) for miss in follower.misses(r, name)]
@@ -151,6 +157,21 @@ def equilibrium(r: Reports) -> float:
     rests = [max(_worst(forces[link]), _worst(moments[link]) / r.size()) for link in r.mechanism.links]
     rests += [_worst(misfit.value) / (1.0 if misfit.force else r.size()) for misfit in r.misfits()]
     return float(np.max(rests)) / largest
+
+
+def starts(r: Reports) -> float | None:
+    """The worst of both senses of all drives: the equilibrium of the creeping mechanism, whose joints rub with the
+    static coefficients, by its own reports; and by what its efforts miss those that are reported."""
+    rests: list[float] = []
+    for drive in starting(r.compiled):
+        effort = r.mechanism.drives[drive].effort
+        for sense, reported in zip(BREAKAWAY.values(), efforts(r.compiled, drive, r.t), strict=False):
+            if not np.isfinite(reported).any():
+                continue
+            crept = Reports(creeping(r.compiled, drive, sense), r.t[np.isfinite(reported)])
+            needed, told = crept.rows[f"{drive}.{effort}"], reported[np.isfinite(reported)]
+            rests += [equilibrium(crept), _worst(needed - told) / max(_worst(needed), 1e-300)]
+    return max(rests, default=None)
 
 
 def loops_of_slides(r: Reports) -> dict[str, str]:

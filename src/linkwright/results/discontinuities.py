@@ -115,9 +115,9 @@ def law_joins(compiled: Compiled, varied: Iterable[str] = (), rough: int = ROUGH
 
 def positions(compiled: Compiled) -> list[Node]:
     """The laws of the drives that are expressions."""
-    quantities = compiled.quantities
-    drives = {name: drive.position for name, drive in compiled.mechanism.drives.items()}
-    return [quantities.bind(law, quantities.drive_dimension(n)) for n, law in drives.items() if law is not None]
+    m = compiled.mechanism
+    stated = (name for name, drive in m.drives.items() if drive.position is not None or m.path_law(name) is not None)
+    return [compiled.quantities.law(name) for name in stated]
 
 
 def joins(motions: Mapping[str, Motion], node: Node, varied: Iterable[str] = (), rough: int = ROUGH) -> list[Node]:

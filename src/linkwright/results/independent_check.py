@@ -212,6 +212,10 @@ class Reports:
         found: Any = next(c for c in self.contacts if (c.joint, c.link) == (joint, link))
         return found
 
+    def law(self, drive: str) -> Array:
+        """What a drive prescribes (rad or m), by its law alone."""
+        return np.asarray(self.compiled.laws[drive](self.t).d[0]) + np.zeros(self.count)
+
     def touch(self, joint: str) -> ReportedTouch:
         """Where the links of a contact touch, and the force there."""
         follower = self.mechanism.followers.get(joint)

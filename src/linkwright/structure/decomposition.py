@@ -13,7 +13,7 @@ from linkwright.findings import Finding, Joined, Term
 from linkwright.groups import REGISTRY
 from linkwright.model.mechanism import Mechanism
 from linkwright.structure.placed import PlacedLinks
-from linkwright.structure.refusals import immovable_outputs, redundant, unsolved
+from linkwright.structure.refusals import fixed_angles, immovable_outputs, redundant, unsolved
 from linkwright.structure.steps import Chain, Driven, Group, HigherGroup, LinkPlacement, Step, Structure, Wedge
 from linkwright.structure.topology import FREEDOMS, PIN, Connection, Topology
 
@@ -50,7 +50,8 @@ class _GroupSearch(PlacedLinks):
         for name, own in self.topology.mechanism.movers.items():
             path = self.topology.mechanism.path_of(name)
             acting, moved = (own, self.topology.acting(name)), (self.drive(name), self.topology.drivable_joints(name))
-            for drive, options in [acting, moved] if own.output else [acting]:
+            apart = self.topology.acts_apart(name)
+            for drive, options in [moved] if apart else [acting, moved] if own.output else [acting]:
                 if not options:
                     kind = Term("kind-revolute" if drive.turns else "kind-prismatic")
                     self.note("structure.drive-no-joint", path, link=drive.link, on=drive.on, joint=kind)
@@ -61,9 +62,11 @@ class _GroupSearch(PlacedLinks):
                 else:
                     self.joints[name] = options[0]
 
+        self.findings += fixed_angles(self.topology, self.joints)
+
     def drive_one(self) -> bool:
         """Place one link by a drive on a known link."""
-        for name, joint in self.joints.items():
+        for name, joint in self.holding.items():
             drive = self.drive(name)
             link_known, on_known = drive.link in self.known, drive.on in self.known
             if link_known == on_known:
@@ -105,10 +108,15 @@ class _GroupSearch(PlacedLinks):
                 return self.place(Wedge(first, (a, b), chain))
         return False
 
+    @property
+    def holding(self) -> dict[str, Connection]:
+        """The joints of drives that hold one link on another."""
+        return {name: joint for name, joint in self.joints.items() if not joint.kind.prescribed}
+
     def held_bodies(self) -> list[list[str]]:
         """The unknown links as bodies: those that drives hold on each other together."""
         bodies = {link: [link] for link in self.remaining_links}
-        for joint in self.joints.values():
+        for joint in self.holding.values():
             if joint.a in bodies and joint.b in bodies and bodies[joint.a] is not bodies[joint.b]:
                 merged = [*bodies[joint.a], *bodies[joint.b]]
                 bodies |= dict.fromkeys(merged, merged)
@@ -120,7 +128,7 @@ class _GroupSearch(PlacedLinks):
         front = [start]
         while end not in ways:
             link = front.pop(0)
-            for name, joint in self.joints.items():
+            for name, joint in self.holding.items():
                 if link in (joint.a, joint.b) and (other := joint.other(link)) not in ways:
                     sign = 1 if self.drive(name).link == other else -1
                     ways[other] = (*ways[link], LinkPlacement(other, joint, name, sign))
@@ -140,7 +148,8 @@ class _GroupSearch(PlacedLinks):
 
     def on_higher_pairs(self, link: str) -> bool:
         """Whether a link has joints by which no link is placed, so that a group of this link alone takes Newton."""
-        return not all(c.kind.places for c in self.topology.connections_of(link))
+        equations = [joint for joint in self.joints.values() if joint.kind.prescribed and link in joint.links]
+        return not all(c.kind.places for c in (*self.topology.connections_of(link), *equations))
 
     def tree(self, part: tuple[str, ...]) -> HigherGroup | None:
         """A placing order of the links, drives inside first; ``None`` where the links don't hang together."""
@@ -187,7 +196,8 @@ class _GroupSearch(PlacedLinks):
             found += [Connection(pin.name, PIN, heads[0], head) for head in heads[1:]]
         used = {edge.joint for edge in edges}
         inside = part | self.known.keys()
-        for c in self.topology.but_pins:
+        equations = [joint for joint in self.joints.values() if joint.kind.prescribed]
+        for c in (*self.topology.but_pins, *equations):
             if c not in used and inside.issuperset(c.links) and not part.isdisjoint(c.links):
                 found.append(c)
         return found

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from linkwright.expressions.unknown import alike
 from linkwright.findings import Finding, Joined
 from linkwright.model.mechanism import FRAME
+from linkwright.model.slides import closing
 from linkwright.structure.freedoms import Freedoms
 from linkwright.structure.placed import PlacedLinks
 from linkwright.structure.steps import Step
-from linkwright.structure.topology import PIN, Topology
+from linkwright.structure.topology import PIN, Connection, Topology
 
 HARDLY = 0.5
 """The share of two names that agree, where what is left over speaks for one pin: C0 and CX."""
@@ -97,6 +98,19 @@ def _drive_hint(placed: PlacedLinks, part: list[str]) -> str:
         for c in placed.outers(link):
             return f"{{{c.kind.drive}: {link}, on: {c.other(link)}, ...}}"
     return ""
+
+
+def fixed_angles(topology: Topology, drives: Mapping[str, Connection]) -> Iterator[Finding]:
+    """Drives of an angle without a joint between links whose angle slides and other drives give already: these count
+    the same freedoms otherwise, but no motion has them."""
+    turning = {name: c for name, c in drives.items() if topology.mechanism.prescribed(name).turns}
+    ties = [(name, frozenset(c.links)) for name, c in turning.items() if not c.kind.prescribed]
+    apart = [(name, frozenset(c.links)) for name, c in turning.items() if c.kind.prescribed]
+    slides = [*topology.slide_pairs.items()]
+    for i, (name, _) in enumerate(apart):
+        if closing([*slides, *ties, *apart[: i + 1]])[-1:] == [name]:
+            on, link = topology.mechanism.prescribed(name).on, topology.mechanism.prescribed(name).link
+            yield Finding("structure.drive-angle-fixed", topology.mechanism.path_of(name), {"link": link, "on": on})
 
 
 def redundant(topology: Topology, steps: Sequence[Step]) -> Iterator[Finding]:

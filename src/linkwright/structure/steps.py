@@ -202,8 +202,9 @@ class HigherGroup:
 
     @property
     def drives(self) -> tuple[str, ...]:
-        """The drives inside."""
-        return tuple(edge.drive for edge in self.edges if edge.drive)
+        """The drives inside: those that hold links on each other, and those whose equations it keeps."""
+        equations = (c.joint for c in self.closures if c.kind.prescribed)
+        return (*(edge.drive for edge in self.edges if edge.drive), *equations)
 
     @property
     def free(self) -> tuple[LinkPlacement, ...]:

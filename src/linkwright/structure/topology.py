@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -17,6 +18,8 @@ FREEDOMS = 3
 
 PIN = kind("revolute")
 """The joint that points of one name make."""
+ANGLE, PLACE = kind("prescribed_angle"), kind("prescribed_place")
+"""What drives prescribe without a joint."""
 
 
 @dataclass(frozen=True)
@@ -82,6 +85,12 @@ class Topology:
             c.joint: (c.kind, c.links) for c in self.but_pins
         }
 
+    @cached_property
+    def equations(self) -> dict[str, tuple[JointKind, tuple[str, ...]]]:
+        """What drives prescribe without a joint, by drive: its kind and its links."""
+        moved = (c for name in self.mechanism.movers for c in self.drivable_joints(name) if c.kind.prescribed)
+        return {c.joint: (c.kind, c.links) for c in moved}
+
     def kind_of(self, joint: str) -> JointKind:
         """The kind of a joint by name."""
         return self.joints[joint][0]
@@ -92,7 +101,7 @@ class Topology:
         links the angles of others."""
         found = {link for c in self.but_pins if c.kind.winds for link in c.links}
         ties = [c.links for c in self.but_pins if c.kind.parallel]
-        ties += [(d.link, d.on) for d in map(self.mechanism.prescribed, self.mechanism.movers)]
+        ties += [(d.link, d.on) for d in map(self.mechanism.prescribed, self.mechanism.movers) if not d.moves]
         while found and (more := {link for tie in ties if not found.isdisjoint(tie) for link in tie} - found):
             found |= more
         return frozenset(found)
@@ -142,15 +151,29 @@ class Topology:
         return self.joint_count - len(self.moving)
 
     def drivable_joints(self, drive: str) -> list[Connection]:
-        """The joints whose motion a drive can prescribe: its own, or that of its output."""
+        """The joints whose motion a drive can prescribe: its own, or that of its output; its equation where there are
+        none."""
         entry = self.mechanism.prescribed(drive)
         joints = self._between(entry)
-        return joints if entry.output is None or entry.turns else [c for c in joints if c.joint == entry.output]
+        found = joints if entry.output is None or entry.turns else [c for c in joints if c.joint == entry.output]
+        return found or [*self._equation(drive, entry)]
+
+    def _equation(self, drive: str, entry: Mover) -> Iterator[Connection]:
+        """What a drive prescribes where its links share no joint for it."""
+        if entry.moves or entry.turns:
+            yield Connection(drive, PLACE if entry.moves else ANGLE, entry.link, entry.on)
 
     def acting(self, drive: str) -> list[Connection]:
-        """The joints at which a drive's effort can act."""
+        """The joints at which a drive's effort can act; none where it needs no joint."""
         return self._between(self.mechanism.movers[drive])
 
+    def acts_apart(self, drive: str) -> bool:
+        """Whether a drive acts on its two links without a joint that they share."""
+        entry = self.mechanism.movers[drive]
+        return bool(entry.moves or (entry.turns and not self._between(entry)))
+
     def _between(self, drive: Mover) -> list[Connection]:
+        if drive.moves:
+            return []
         turns, links = drive.turns is not None, {drive.link, drive.on}
         return [c for c in self.connections if c.kind.angular is turns and {*c.links} == links]

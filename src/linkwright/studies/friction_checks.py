@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Term
 from linkwright.results import Run
+from linkwright.results.breakaway import resting_stretches, starting, unstarted
 from linkwright.results.jamming import followed, laws, meets, several
 from linkwright.results.self_locking import locked_stretches
 from linkwright.studies.assembly_checks import drive_value
@@ -61,28 +62,42 @@ class FrictionLaws:
         return [finding_at(self.run, "friction.several", self.resisting[0].path, time, "warning", share=share)]
 
 
+def starts(run: Run) -> list[Finding]:
+    """Where no effort of a drive starts the motion from rest, a warning; where the released mechanism stays at rest, a
+    note."""
+    found = list[Finding]()
+    for drive in starting(run.compiled):
+        for sense, times in unstarted(run.compiled, drive, telling_times(run, [])).items():
+            if times.size:
+                data = {"name": drive, "sense": Term(f"sense-{sense}")}
+                code, path = "friction.cannot-start", ("drives", drive)
+                found.append(finding_at(run, code, path, float(times[0]), "warning", **data))
+        if stretches := resting_stretches(run, drive):
+            found.append(_stretches(run, "friction.rests", drive, stretches))
+    return found
+
+
 def self_locking(run: Run) -> list[Finding]:
     """A note for each drive that has to push though loads would drive it without friction: its longest stretch."""
     if not run.compiled.graph.actions.resisting:
         return []
-    found, length = list[Finding](), run.stop - run.start
-    for drive in run.compiled.graph.motors:
-        stretches = locked_stretches(run, drive)
-        if not stretches:
-            continue
-        start, stop = max(stretches, key=lambda one: one[1] - one[0])
-        ends = [drive_value(run, time) for time in (start, stop)]
-        total = sum(b - a for a, b in stretches)
-        data = {
-            "name": drive,
-            "start": f"{start:.6g}",
-            "stop": f"{stop:.6g}",
-            "drive": ends[0]["drive"],
-            "low": ends[0]["value"],
-            "high": ends[1]["value"],
-            "unit": ends[0]["unit"],
-            "count": len(stretches),
-            "share": f"{100 * total / length:.3g}",
-        }
-        found.append(Finding("friction.self-locking", ("drives", drive), data, severity="note"))
-    return found
+    every = ((drive, locked_stretches(run, drive)) for drive in run.compiled.graph.motors)
+    return [_stretches(run, "friction.self-locking", drive, stretches) for drive, stretches in every if stretches]
+
+
+def _stretches(run: Run, code: str, drive: str, stretches: list[tuple[float, float]]) -> Finding:
+    """A note on stretches of time (s): the longest one, their number and share."""
+    start, stop = max(stretches, key=lambda one: one[1] - one[0])
+    ends = [drive_value(run, time) for time in (start, stop)]
+    data = {
+        "name": drive,
+        "start": f"{start:.6g}",
+        "stop": f"{stop:.6g}",
+        "drive": ends[0]["drive"],
+        "low": ends[0]["value"],
+        "high": ends[1]["value"],
+        "unit": ends[0]["unit"],
+        "count": len(stretches),
+        "share": f"{100 * sum(b - a for a, b in stretches) / (run.stop - run.start):.3g}",
+    }
+    return Finding(code, ("drives", drive), data, severity="note")

@@ -11,7 +11,7 @@ from pydantic import Field
 
 from linkwright.elements.entries import NOUNS
 from linkwright.exports.followed import duration, follow_motion
-from linkwright.exports.joints import unwritten
+from linkwright.exports.joints import unjointed, unwritten
 from linkwright.exports.mjcf.masses import written_masses
 from linkwright.exports.mjcf.poses import TreeDrive, coordinates, motors
 from linkwright.exports.mjcf.proof import missed
@@ -59,6 +59,7 @@ class Mjcf:
         findings = [*_tiny_mass(compiled, options)[1], *_timestep(compiled, options)[1]]
         findings += duration(compiled, None, self.name, options.duration)[1]
         findings += unwritten(compiled, self.name)
+        findings += unjointed(compiled, self.name)
         if closing := compiled.structure.topology.closing_slides:
             data = {"name": self.name, "joints": Joined(closing)}
             findings.append(Finding("export.cannot-close-slides", ("exports", self.name), data))

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from linkwright.expressions import units as u
-from linkwright.expressions.language import Binary, Call, Name, Node, Number, nodes
+from linkwright.expressions.language import Call, Node, nodes
 from linkwright.formulas.functions import OfMotion, OfTable, PiecewiseFunction
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
@@ -15,18 +14,11 @@ from linkwright.kernels.laws import read_table
 def law_of(compiled: Compiled, drive: str) -> Node | None:
     """The tree of a drive's value in t, parameters, and called functions; bound to SI. ``None`` for a follower that has
     no formula."""
-    quantities, dimension = compiled.quantities, compiled.quantities.drive_dimension(drive)
+    quantities = compiled.quantities
     if (follower := compiled.mechanism.followers.get(drive)) is not None:
         motor = law_of(compiled, follower.motor)
         return None if motor is None else follower.tree(Geometry(quantities, quantities.parameters), motor)
-    entry = compiled.mechanism.drives[drive]
-    if entry.position is not None:
-        return quantities.bind(entry.position, dimension)
-    total: Node = Number(0.0)
-    for power, (expression, of) in enumerate(entry.uniform(dimension == u.ANGLE)):
-        time = Binary("*", Number((1.0, 1.0, 0.5)[power]), Binary("^", Name("t"), Number(float(power))))
-        total = Binary("+", total, Binary("*", quantities.bind(expression, of), time))
-    return total
+    return quantities.law(drive)
 
 
 def functions(compiled: Compiled, law: Node, folder: Path | None) -> dict[str, PiecewiseFunction]:

@@ -7,6 +7,8 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.elements.path import AXES
+from linkwright.findings import Joined
 from linkwright.formulas.motor import MotorProgram, unit_of
 from linkwright.formulas.terms import number
 from linkwright.kernels import Compiled
@@ -21,11 +23,23 @@ def sheet(compiled: Compiled, motors: Mapping[str, MotorProgram], dialect: str, 
     name = compiled.mechanism.title
     lines = [say("motors.title", name=name), say("motors.time", stop=number(stop)), say(f"motors.dialect.{dialect}")]
     for of, made in motors.items():
-        drive = compiled.mechanism.prescribed(of)
-        key = "output" if compiled.mechanism.movers[of].output else "turns" if drive.turns else "slides"
-        what = say(f"motors.{key}", link=drive.link, on=drive.on, drive=of)
-        lines += ["", say("motors.head", drive=of, what=what, unit=made.unit, error=f"{made.error:.1e}"), *made.lines]
+        lines += [
+            "",
+            say("motors.head", drive=of, what=_subject(compiled, of), unit=made.unit, error=f"{made.error:.1e}"),
+            *made.lines,
+        ]
     return "\n".join(lines) + "\n"
+
+
+def _subject(compiled: Compiled, of: str) -> str:
+    """What the law of a drive prescribes."""
+    m, drive = compiled.mechanism, compiled.mechanism.prescribed(of)
+    if of in m.drives and (path := m.path_law(of)) is not None:
+        drives = m.path_drives(str(drive.output))
+        axis = AXES[drives.index(of)]
+        return say("motors.path", axis=axis, point=path.at, link=drive.link, on=drive.on, drives=Joined(drives))
+    key = "output" if m.movers[of].output else "turns" if drive.turns else "point" if drive.moves else "slides"
+    return say(f"motors.{key}", link=drive.link, on=drive.on, drive=of)
 
 
 def expressions(motors: Mapping[str, MotorProgram]) -> str:

@@ -116,6 +116,9 @@ def check(compiled: Compiled, options: ProcessSimulateOptions) -> Iterator[Findi
     if len(drives) != 1:
         yield Finding("functions.drives", ("drives",), {"count": len(drives), "names": Joined(drives)})
         return
+    if any(c.kind.prescribed for c in compiled.structure.topology.drivable_joints(drives[0])):
+        yield Finding("export.drive", ("drives", drives[0]), {"name": "process-simulate", "drive": drives[0]})
+        return
     moved = _driven_joint(compiled, drives[0], joints) if options.master is None else options.named_master(joints)
     if moved is None and options.master is not None:
         yield unknown("joint", (*PATH, "master"), options.master, [*known, *options.names.values()])

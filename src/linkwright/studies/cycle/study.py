@@ -19,7 +19,7 @@ from linkwright.studies.cycle.options import CycleOptions, span
 from linkwright.studies.cycle.outcome import CycleOutcome
 from linkwright.studies.cycle.report import report
 from linkwright.studies.follower_locking import locked
-from linkwright.studies.friction_checks import FrictionLaws, self_locking
+from linkwright.studies.friction_checks import FrictionLaws, self_locking, starts
 from linkwright.studies.load_checks import contacts, outside, undefined
 from linkwright.studies.output_dead_centres import powerless
 from linkwright.studies.plausible import coincident, crossed
@@ -87,7 +87,7 @@ class Cycle(Study):
         result.failures += [*unproven(result), *faults, *strokes(run), *travels(run)]
         warned = [finding for finding in measurer.findings if finding not in faults]
         warned += [*warnings(run), *near(run), *(not_periodic(run) if options.period is not None else [])]
-        notes = [*coincident(run), *crossed(run), *self_locking(run)]
+        notes = [*coincident(run), *crossed(run), *self_locking(run), *starts(run)]
         warned += [*outside(run), *contacts(run), *friction.ambiguous()]
         return CycleOutcome(result, measures, [*warned, *notes], site.progress)
 
@@ -101,6 +101,7 @@ CHECKS = {
     "equilibrium": Term("equilibrium"),
     "power": Term("power"),
     "work": Term("work"),
+    "starting": Term("starting"),
     "measures": Term("measures"),
 }
 

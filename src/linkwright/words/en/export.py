@@ -11,5 +11,7 @@ TEXTS: dict[str, str] = {
     "motors.head": "{drive}: {what}, in {unit}; maximum error {error} {unit}",
     "motors.turns": "angle of {link} relative to {on}",
     "motors.slides": "travel of {link} on {on}",
+    "motors.path": "{axis} of point {point} of {link} in the axes of {on}; {drives} follow from both coordinates",
+    "motors.point": "place of a point of {link} along a line of {on}",
     "motors.output": "motion of {link} relative to {on}, the output of {drive}",
 }

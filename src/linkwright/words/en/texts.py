@@ -55,6 +55,8 @@ TEXTS: dict[str, str] = {
     "fact.drive": "{name}: {subject}, {motion}",
     "fact.drive.links": "{link} on {on}",
     "fact.drive.cylinder": "cylinder {cylinder}",
+    "fact.drive.point": "point {point} of {link} on {on}, along the line {line}",
+    "fact.drive.path": "{link} on {on}, such that {point} of {moved} follows the path {path}",
     "fact.drive.output": "{link} on {on}, such that {output} follows the law",
     "fact.drive.follower": "{link} on {on}, a follower of {motor} ({kind})",
     "fact.law.turning": "{speed}, {period} per revolution, starts at {start}",
@@ -62,6 +64,7 @@ TEXTS: dict[str, str] = {
     "fact.law.still": "fixed at {start}",
     "fact.law.accelerated": "starts at {start} with {speed}, acceleration {acceleration}",
     "fact.law.given": "position by its motion law, starts at {start} with {speed}",
+    "fact.law.path": "{axis} starts at {start} with {speed}",
     "fact.law.position": "position {law}, starts at {start} with {speed}",
     "fact.law.own": "{law}; starts at {start} with {speed}",
     "fact.law.geneva": "steps of {step}; moves while {motor} is at {ranges} (and each {turn} on), for {share} of the time, and is locked "
@@ -74,6 +77,8 @@ TEXTS: dict[str, str] = {
     # Certificate.
     "proof.closure": "Closure",
     "proof.closure.text": "All joints close at all {poses} poses (largest closure error relative to the mechanism's size).",
+    "proof.starting": "Start from standstill",
+    "proof.starting.text": "Where the drives start the motion from standstill, links are in equilibrium under the static friction of the reactions there, with the reported efforts, in both senses at all {poses} poses (largest residual relative to the largest force).",
     "proof.equilibrium": "Equilibrium",
     "proof.equilibrium.text": "Every link, including the frame, is in equilibrium under the reported reactions at all {poses} poses (largest residual relative to the largest force).",
     "proof.power": "Power balance",

@@ -11,5 +11,7 @@ TEXTS: dict[str, str] = {
     "motors.head": "{drive}：{what}，单位 {unit}；最大误差 {error} {unit}",
     "motors.turns": "{link} 相对 {on} 的角度",
     "motors.slides": "{link} 相对 {on} 的行程",
+    "motors.path": "{link} 的点 {point} 在 {on} 坐标系中的 {axis} 坐标；{drives} 由两个坐标求出",
+    "motors.point": "{link} 上的点沿 {on} 上直线的位置",
     "motors.output": "{link} 相对 {on} 的运动，为 {drive} 的输出",
 }

@@ -55,6 +55,8 @@ TEXTS: dict[str, str] = {
     "fact.drive": "{name}：{subject}，{motion}",
     "fact.drive.links": "{link} 相对 {on}",
     "fact.drive.cylinder": "缸 {cylinder}",
+    "fact.drive.point": "{link} 的点 {point} 相对 {on} 沿直线 {line}",
+    "fact.drive.path": "{link} 相对 {on}，使 {moved} 的点 {point} 沿轨迹 {path} 运动",
     "fact.drive.output": "{link} 相对 {on}，使 {output} 按运动规律运动",
     "fact.drive.follower": "{link} 相对 {on}，为 {motor} 的从动件（{kind}）",
     "fact.law.turning": "{speed}，每转 {period}，起始于 {start}",
@@ -62,6 +64,7 @@ TEXTS: dict[str, str] = {
     "fact.law.still": "固定在 {start}",
     "fact.law.accelerated": "起始于 {start}，初速度 {speed}，加速度 {acceleration}",
     "fact.law.given": "位置由其运动规律给定，起始于 {start}，初速度 {speed}",
+    "fact.law.path": "{axis} 起始于 {start}，初速度 {speed}",
     "fact.law.position": "位置为 {law}，起始于 {start}，初速度 {speed}",
     "fact.law.own": "{law}；起始于 {start}，初速度 {speed}",
     "fact.law.geneva": "每次转动 {step}；{motor} 位于 {ranges}（以及每隔 {turn}）时运动，占时间的 {share}，其余时间锁止；最大角速度为 {motor} 的 "
@@ -73,6 +76,8 @@ TEXTS: dict[str, str] = {
     # Certificate.
     "proof.closure": "封闭性",
     "proof.closure.text": "在全部 {poses} 个位姿上，所有运动副均封闭（最大封闭误差与机构尺寸之比）。",
+    "proof.starting": "起动",
+    "proof.starting.text": "在全部 {poses} 个位姿上，按所给起动驱动力（矩）向两个方向起动时，各构件在由约束反力确定的静摩擦下平衡（最大残差与最大力之比）。",
     "proof.equilibrium": "力平衡",
     "proof.equilibrium.text": "在全部 {poses} 个位姿上，包括机架在内的每个构件在所给约束反力作用下均平衡（最大残差与最大力之比）。",
     "proof.power": "功率平衡",

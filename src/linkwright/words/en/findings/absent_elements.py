@@ -30,7 +30,8 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "'{name}': gears are written under joints, as gears.",
         "For example 'joints: {{mesh: {{gears: [pinion, wheel], centres: [A, D], teeth: [20, 40], module: 2 mm}}}}'; a planet "
         "gear names its carrier, 'carrier: arm', and a ring 'internal: ring'. Of a gearbox of which only the ratio matters: "
-        "'{{coupling: [gear2, frame], follows: -motor.angle*z1/z2}}'.",
+        "'{{coupling: [gear2, frame], follows: -motor.angle*z1/z2}}'; of a differential '{{differential: [cage, left, right], "
+        "weights: [2, -1, -1]}}'.",
     ),
     "element.geneva": (
         "'{name}': Geneva drives are written under joints, as geneva.",

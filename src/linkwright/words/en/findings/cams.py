@@ -138,8 +138,31 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "Keep one of the two drives.",
     ),
     "drive.output": (
-        "'{name}' can't be the output of a drive: it is neither a prismatic joint nor a link of this model.",
-        "{near} An output is a prismatic joint, or a link that is pinned to the frame.",
+        "'{name}' can't be the output of a drive: it is neither a prismatic joint nor a link or path of this model.",
+        "{near} An output is a prismatic joint, a link whose angle relative to the frame follows the law, or a path "
+        "of two drives (paths).",
+    ),
+    "path.shape": (
+        "A path has one shape: a line, an arc, or x and y; found {given}.",
+        "Give one of them, e.g. 'line: [[0, 0], [100 mm, 0]]', 'arc: {{centre: [50, 80], radius: 20 mm}}', or both "
+        "coordinates as expressions in t: 'x: 50 mm*cos(90 deg*t/(1 s)), y: 80 mm'.",
+    ),
+    "path.law": (
+        "The coordinates x and y are the whole motion along the path, so {given} can't be given in addition.",
+        "Remove it; or give line or arc, whose distance from the start the law prescribes.",
+    ),
+    "path.no-length": (
+        "The line of the path starts and ends at the same position.",
+        "Give two different positions: the second one determines the direction.",
+    ),
+    "path.drives": (
+        "Exactly two drives must move the point along the path {name}; the drives with 'output: {name}': {count} {drives}.",
+        "Give two drives this output, and no law of their own, e.g. "
+        "'left: {{turns: crank1, on: frame, output: {name}}}'.",
+    ),
+    "path.two-laws": (
+        "The drive {drive} follows from the path {path}, so it can't have a law of its own.",
+        "Remove its speed, start, acceleration or position; or remove its output.",
     ),
     "drive.output-own": (
         "{link} and {on} are the drive's own links; '{name}' can't be its output.",

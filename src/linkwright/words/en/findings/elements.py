@@ -78,11 +78,16 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "drive.kind": (
         "The drive doesn't say which link or cylinder it moves.",
-        "Give one of turns and slides with the name of a link, or extends with the name of a cylinder or slide.",
+        "Give one of turns, slides and moves with the name of a link, or extends with the name of a cylinder or slide.",
     ),
     "drive.on": (
-        "A drive with turns or slides needs on, the other link; a drive with extends doesn't have on.",
-        "Give on with turns and slides (often on: frame), and remove it with extends.",
+        "A drive with turns, slides or moves needs on, the other link; a drive with extends doesn't have on.",
+        "Give on with turns, slides and moves (often on: frame), and remove it with extends.",
+    ),
+    "drive.point": (
+        "The keys moves, at and along belong together: a point of a link, and the line along which its position counts.",
+        "Give all three, e.g. '{{moves: coupler, at: P, on: frame, along: O at 90 deg, ...}}', where O is a point of the "
+        "link after on; or use turns or slides without at and along.",
     ),
     "sketch.missing-point": (
         "The link {link} takes the position of {name} from the sketch, but the sketch doesn't have this point.",

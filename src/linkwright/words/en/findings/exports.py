@@ -93,6 +93,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "Verification failed: the export of {name} deviates from the model by {error} {unit}, so it isn't written.",
         "Check for a law or pose that is nearly singular; otherwise please report this as a bug of linkwright.",
     ),
+    "export.drive": (
+        "The export to {name} can't contain the drive {drive}: what it prescribes isn't the value of a joint.",
+        "Export the model with drives at joints: compute their motion here, and use it as their law.",
+    ),
     "export.left-out": (
         "The MuJoCo file doesn't contain {names}.",
         "Add them by hand if the simulation needs them.",

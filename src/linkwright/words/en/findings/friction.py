@@ -75,6 +75,25 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "forces, such as those of a wedged mechanism, obey the same laws. Reported are those to which friction grows from zero.",
         "Reduce the coefficients or radii, or use a longer guide, if the mechanism might wedge.",
     ),
+    "friction.static": (
+        "A static coefficient alone isn't enough: it only says when motion starts, not how joints rub in motion.",
+        "Add coefficient, the one of motion, e.g. 'coefficient: 0.1, static: 0.15'.",
+    ),
+    "friction.static-less": (
+        "The static coefficient {static} is smaller than the coefficient of motion {coefficient}.",
+        "Exchange the two: joints resist more at standstill than in motion.",
+    ),
+    "friction.cannot-start": (
+        "At t = {time} s ({drive} = {value} {unit}) no effort of {name} starts the mechanism from standstill towards {sense} values: "
+        "with the static coefficients it jams there.",
+        "Don't stop there, or reduce the static coefficients, the radii of pins, or the offset of forces from the guides.",
+    ),
+    "friction.rests": (
+        "At standstill the mechanism stays where it is with {name} released from t = {start} s to t = {stop} s ({drive} = {low} to "
+        "{high} {unit}), although the loads would move it without friction. Such intervals: {count}, together {share} % of the "
+        "run.",
+        "No change is needed if it is to hold without a brake; otherwise use a brake, or smaller static coefficients.",
+    ),
     "friction.self-locking": (
         "The mechanism is self-locking from t = {start} s to t = {stop} s ({drive} = {low} to {high} {unit}): the loads would "
         "drive it against {name}, but friction holds it, so that {name} has to push. Such intervals: {count}, together "

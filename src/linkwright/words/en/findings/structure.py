@@ -3,7 +3,12 @@
 PROBLEMS: dict[str, tuple[str, str]] = {
     "structure.drive-no-joint": (
         "{link} and {on} share no {joint}, so the drive can't act between them.",
-        "Name two links that meet at a pin (turns) or on a line (slides).",
+        "Name two links that meet on a line (slides), or prescribe the position of a point along a line, e.g. "
+        "'{{moves: {link}, at: P, on: {on}, along: O at 0 deg, ...}}'.",
+    ),
+    "structure.drive-angle-fixed": (
+        "The angle of {link} relative to {on} is already determined by prismatic joints or other drives.",
+        "Remove the drive, or let it move another link.",
     ),
     "structure.drive-two-joints": (
         "{link} and {on} are connected by several joints ({joints}), so it isn't clear which one the drive moves.",

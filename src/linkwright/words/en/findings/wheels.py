@@ -6,6 +6,16 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "Name the link that is pinned to both wheels at their centres, for example 'carrier: arm'; without carrier it is "
         "the frame. Links that are: {able}.",
     ),
+    "differential.count": (
+        "The differential has {shafts} shafts, but {weights} weights.",
+        "Give one weight for each shaft in the order of differential, e.g. "
+        "'{{differential: [cage, left, right], weights: [2, -1, -1]}}'.",
+    ),
+    "differential.weight": (
+        "The weight of the shaft {link} is 0, so that the differential doesn't move it.",
+        "Give a number other than 0, or remove the shaft. Planetary gear sets have [z_sun, z_ring, -(z_sun + z_ring)] for "
+        "sun, ring and arm.",
+    ),
     "gears.size": (
         "Gears need either teeth or pitch radii; given: {given}.",
         "For example teeth: [20, 40] for the two gears in the order of gears (with module, if it is known), or "

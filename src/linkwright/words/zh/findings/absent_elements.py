@@ -27,7 +27,8 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     "element.gear": (
         "“{name}”：齿轮副在 joints 中以 gears 定义。",
         "例如“joints: {{mesh: {{gears: [pinion, wheel], centres: [A, D], teeth: [20, 40], module: 2 mm}}}}”；行星轮用“carrier: arm”给出行星架，"
-        "内齿圈用“internal: ring”给出。只关心传动比的减速器可用联动：“{{coupling: [gear2, frame], follows: -motor.angle*z1/z2}}”。",
+        "内齿圈用“internal: ring”给出。只关心传动比的减速器可用联动：“{{coupling: [gear2, frame], follows: -motor.angle*z1/z2}}”；差速器："
+        "“{{differential: [cage, left, right], weights: [2, -1, -1]}}”。",
     ),
     "element.geneva": (
         "“{name}”：槽轮机构在 joints 中以 geneva 定义。",

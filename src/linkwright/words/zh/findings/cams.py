@@ -129,8 +129,29 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "两个驱动只保留一个。",
     ),
     "drive.output": (
-        "“{name}”不能作为驱动的输出：它既不是移动副，也不是本模型的构件。",
-        "{near}输出应为移动副，或用转动副与机架连接的构件。",
+        "“{name}”不能作为驱动的输出：它既不是移动副，也不是本模型的构件或轨迹。",
+        "{near}输出应为移动副、其相对机架的角度按规律变化的构件，或两个驱动的轨迹（paths）。",
+    ),
+    "path.shape": (
+        "轨迹只能有一种形状：直线、圆弧，或 x 和 y；此处给出的是：{given}。",
+        "给出其中一种，例如 'line: [[0, 0], [100 mm, 0]]'、'arc: {{centre: [50, 80], radius: 20 mm}}'，或以 t 的表达式给出两个坐标："
+        "'x: 50 mm*cos(90 deg*t/(1 s)), y: 80 mm'。",
+    ),
+    "path.law": (
+        "坐标 x 和 y 已完整给定沿轨迹的运动，不能再给出 {given}。",
+        "将其删除；或改用 line 或 arc，由运动规律给定离起点的距离。",
+    ),
+    "path.no-length": (
+        "轨迹直线的起点和终点是同一位置。",
+        "给出两个不同的位置：第二个位置确定方向。",
+    ),
+    "path.drives": (
+        "必须恰好由两个驱动使该点沿轨迹 {name} 运动；给出 'output: {name}' 的驱动：{count} 个 {drives}。",
+        "令两个驱动以其为输出，且不给出自身的运动规律，例如 'left: {{turns: crank1, on: frame, output: {name}}}'。",
+    ),
+    "path.two-laws": (
+        "驱动 {drive} 的运动由轨迹 {path} 求出，不能有自身的运动规律。",
+        "删除其 speed、start、acceleration 或 position；或删除 output。",
     ),
     "drive.output-own": (
         "{link} 和 {on} 是驱动自身的构件，“{name}”不能作为其输出。",

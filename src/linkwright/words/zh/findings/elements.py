@@ -76,11 +76,16 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "drive.kind": (
         "驱动未指明所驱动的构件或缸。",
-        "在 turns 或 slides 中给出构件名，或在 extends 中给出缸或移动副的名称。",
+        "在 turns、slides 或 moves 中给出构件名，或在 extends 中给出缸或移动副的名称。",
     ),
     "drive.on": (
-        "使用 turns 或 slides 的驱动必须用 on 给出另一个构件；使用 extends 的驱动不能有 on。",
-        "与 turns 和 slides 一起给出 on（通常为 on: frame）；使用 extends 时将其删除。",
+        "使用 turns、slides 或 moves 的驱动必须用 on 给出另一个构件；使用 extends 的驱动不能有 on。",
+        "与 turns、slides 和 moves 一起给出 on（通常为 on: frame）；使用 extends 时将其删除。",
+    ),
+    "drive.point": (
+        "moves、at 和 along 必须同时给出：某构件的一个点，以及度量其位置的直线。",
+        "三者都给出，例如 '{{moves: coupler, at: P, on: frame, along: O at 90 deg, ...}}'，其中 O 是 on 所指构件的点；"
+        "或改用 turns、slides，并去掉 at 和 along。",
     ),
     "sketch.missing-point": (
         "构件 {link} 的点 {name} 取草图中的位置，但草图中没有该点。",

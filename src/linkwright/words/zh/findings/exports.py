@@ -89,6 +89,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "验证未通过：{name} 的导出结果与模型的偏差为 {error} {unit}，因此未写入。",
         "检查是否有接近奇异的运动规律或位姿；否则将其作为 linkwright 的缺陷报告。",
     ),
+    "export.drive": (
+        "导出到 {name} 时不能包含驱动 {drive}：它所给定的不是运动副的值。",
+        "改用作用于运动副的驱动再导出：先在此算出其运动，再作为其运动规律。",
+    ),
     "export.left-out": (
         "MuJoCo 文件中不包含 {names}。",
         "若仿真需要，手工添加。",

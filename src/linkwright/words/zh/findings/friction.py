@@ -70,6 +70,23 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "给出的是摩擦从零逐渐增大时所达到的力。",
         "若机构可能楔紧，应减小摩擦系数或半径，或加长导轨。",
     ),
+    "friction.static": (
+        "只给静摩擦系数不够：它只说明何时起动，不说明运动中的摩擦。",
+        "再给出运动时的 coefficient，例如 'coefficient: 0.1, static: 0.15'。",
+    ),
+    "friction.static-less": (
+        "静摩擦系数 {static} 小于动摩擦系数 {coefficient}。",
+        "将二者互换：静止时的摩擦不小于运动时的摩擦。",
+    ),
+    "friction.cannot-start": (
+        "在 t = {time} s（{drive} = {value} {unit}）处，{name} 无论多大的驱动力（矩）都不能使机构从静止向{sense}的方向起动：按静摩擦系数机构在该处卡死。",
+        "不要在该处停止；或减小静摩擦系数、铰链半径，或减小力相对导轨的偏距。",
+    ),
+    "friction.rests": (
+        "从 t = {start} s 到 t = {stop} s（{drive} = {low} 至 {high} {unit}），松开 {name} 后静止的机构保持不动，而没有摩擦时载荷会使其运动。"
+        "此类区间共 {count} 个，合计占运行时间的 {share} %。",
+        "若要求机构不用制动器即能保持，则无需修改；否则使用制动器，或减小静摩擦系数。",
+    ),
     "friction.self-locking": (
         "从 t = {start} s 到 t = {stop} s（{drive} = {low} 至 {high} {unit}）机构自锁：载荷本会反过来驱动 {name}，但被摩擦阻止，"
         "因此 {name} 必须推动机构。此类区间共 {count} 个，合计占运行时间的 {share} %。",

@@ -3,7 +3,12 @@
 PROBLEMS: dict[str, tuple[str, str]] = {
     "structure.drive-no-joint": (
         "{link} 与 {on} 之间没有{joint}，驱动无法作用于二者之间。",
-        "指定由铰链连接（turns）或沿直线连接（slides）的两个构件。",
+        "指定沿直线连接（slides）的两个构件，或给定某点沿直线的位置，例如 "
+        "'{{moves: {link}, at: P, on: {on}, along: O at 0 deg, ...}}'。",
+    ),
+    "structure.drive-angle-fixed": (
+        "{link} 相对 {on} 的角度已由移动副或其他驱动确定。",
+        "删除该驱动，或令其驱动其他构件。",
     ),
     "structure.drive-two-joints": (
         "{link} 与 {on} 由多个运动副（{joints}）连接，无法确定驱动作用于哪一个。",

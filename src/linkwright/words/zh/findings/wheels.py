@@ -5,6 +5,14 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "行星架（转臂）“{carrier}”未在 {centre} 处与 {wheel} 铰接，因此中心距没有保证。",
         "用 carrier 给出在两轮中心处都与其铰接的构件，例如“carrier: arm”；不写 carrier 时为机架。满足条件的构件：{able}。",
     ),
+    "differential.count": (
+        "差速器有 {shafts} 个轴，但给出了 {weights} 个权。",
+        "按 differential 的顺序为每个轴给出一个权，例如 '{{differential: [cage, left, right], weights: [2, -1, -1]}}'。",
+    ),
+    "differential.weight": (
+        "轴 {link} 的权为 0，差速器不能带动它。",
+        "给出不为 0 的数，或去掉该轴。行星轮系中太阳轮、内齿圈和转臂的权为 [z_sun, z_ring, -(z_sun + z_ring)]。",
+    ),
     "gears.size": (
         "齿轮副必须给出齿数或节圆半径之一；已给出：{given}。",
         "例如 teeth: [20, 40]，按 gears 的顺序给出两轮齿数（已知模数时再给 module），或 radii: [30, 60]。",
