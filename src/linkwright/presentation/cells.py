@@ -30,7 +30,8 @@ class NumberCell:
         if self.value is None or not isfinite(self.value):
             return str(self.unknown)
         sign = "+" if self.signed and self.value > 0 else ""
-        return f"{sign}{self.value:.{self.digits}{self.form}} {printed(self.unit)}".rstrip()
+        value = self.value + 0.0  # -0 reads oddly
+        return f"{sign}{value:.{self.digits}{self.form}} {printed(self.unit)}".rstrip()
 
 
 def percent(share: float | None, digits: int = 4) -> NumberCell:
@@ -53,8 +54,9 @@ class Numbers:
         if all(value is None for value in values):
             return self.apart.join(texts) or str(self.unknown)
         match texts, values:
-            case [low, high], [float(a), float(b)] if self.numbers[1].signed and a <= 0 <= b and low[1:] == high[1:]:
-                texts = [f"±{high[1:]}"]
+            case [low, high], [float(a), float(b)] if self.numbers[1].signed and a <= 0 <= b:
+                sizes = [low.lstrip("+-"), high.lstrip("+-")]
+                texts = [f"±{sizes[1]}"] if sizes[0] == sizes[1] else texts
         return f"{self.apart.join(texts)} {printed(self.unit)}".rstrip()
 
 
