@@ -218,6 +218,14 @@ def test_what_is_refused(path: dict[str, Any], motors: dict[str, Any], code: str
     assert any(code in one for one in found), found
 
 
+def test_limits_move_no_drive_of_a_path_alone() -> None:
+    data = model({"line": [[*START], [START[0] + 1, START[1]]], "speed": 0.1})
+    data["studies"] = {"limits": {}}
+    with pytest.raises(lw.ModelError) as caught:
+        lw.run(Document.model_validate(data))
+    assert [f.code for f in caught.value.findings] == ["study.paths"]
+
+
 def test_a_point_out_of_reach_is_named() -> None:
     data = model({"line": [[*START], [START[0] + 1, START[1] + 1]], "speed": 1})
     data["studies"] = {"cycle": {"duration": "3 s", "samples": 60}}

@@ -105,13 +105,18 @@ class View:
                 found[name] = other
         return found
 
+    @cached_property
+    def _starting(self) -> View:
+        """The same where motion is about to start, with inputs of its own."""
+        plays = [play.name() for play in self.plays]
+        return View.build(self.graph, self.graph.actions.forces, self.graph.inputs, plays, starting=True)
+
     def breakaway(self, drive: str, sense: int, friction: bool = True) -> Scalar:
         """The effort (N m or N) at which a drive starts the motion from rest, towards larger values or (``sense`` -1)
         smaller ones; without ``friction`` the one that holds the pose.
 
         All creeps in the sense of the drive, so slowly that speeds tell directions alone and no inertia is left."""
-        still = View.build(self.graph, 2, self.graph.inputs, [play.name() for play in self.plays], starting=True)
-        forces = still.forces
+        still, forces = self._starting, self._starting.forces
         assert forces.friction is not None
         effort = forces.efforts[drive] if friction else forces.friction.drives[drive]
         rows = creeping_rates(self.graph, drive, sense, lambda i: self.x[i])

@@ -15,7 +15,7 @@ from linkwright.expressions.fields import Expression, Frozen, FrozenDict
 from linkwright.expressions.fields import Name as NameField
 from linkwright.expressions.language import Call, Name, is_signal, nodes, parse, signal_text
 from linkwright.expressions.typed_fields import Ref, of_drive
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Joined
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
 from linkwright.model.places import Path
@@ -74,7 +74,10 @@ class Limits(Study):
     command = Command(writes=False)
 
     def check(self, compiled: Compiled, options: LimitsOptions) -> list[Finding]:
-        """What is wrong with ranges and signals."""
+        """What is wrong with ranges and signals; drives of a path can't be moved each alone."""
+        if (paths := compiled.mechanism.paths) and any(map(compiled.mechanism.path_drives, paths)):
+            drives = Joined(drive for path in paths for drive in compiled.mechanism.path_drives(path))
+            return [Finding("study.paths", ("studies", self.name), {"drives": drives, "names": Joined(paths)})]
         return [*_ranges(compiled, options), *_signals(compiled, options)]
 
     def run(self, compiled: Compiled, options: LimitsOptions, site: RunContext = NOWHERE) -> LimitsOutcome:

@@ -111,6 +111,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "The study {study} moves each drive independently, but the followers ({names}) move with their drives.",
         "Remove the study, or replace each follower with a drive.",
     ),
+    "study.paths": (
+        "The study limits moves each drive alone, but {drives} follow a path ({names}) together.",
+        "Remove the study from this file. In a copy, give these drives laws of their own instead of the path.",
+    ),
     "study.follower": (
         "{name} is a follower: it moves with the drive {motor}, not independently.",
         "Name {motor} as the drive; its followers move with it.",

@@ -103,6 +103,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "分析 {study} 使各驱动独立运动，而从动件（{names}）随其驱动运动。",
         "删除该分析，或将各从动件改为驱动。",
     ),
+    "study.paths": (
+        "分析 limits 逐个移动驱动，而 {drives} 共同沿轨迹（{names}）运动。",
+        "从本文件中删除该分析；或在副本中用各驱动自身的运动规律代替轨迹。",
+    ),
     "study.follower": (
         "{name} 是从动件：它随驱动 {motor} 运动，不能独立运动。",
         "将驱动改为 {motor}，其从动件随之运动。",
