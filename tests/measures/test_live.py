@@ -46,6 +46,8 @@ ROUGH: dict[tuple[str, str], tuple[float, str]] = {
     ("class_four.yaml", "torque"): (3e-5, "a peak of some ten steps near a singular pose"),
     ("conjugate_cam.yaml", "contact"): (3e-4, "the law's jerk has kinks, between samples"),
     ("five_bar.yaml", "servo_share"): (1e-4, "an abs switches between samples"),
+    ("geneva_drive.yaml", "pin"): (1e-5, "a peak of some fifteen steps in a quarter of a turn"),
+    ("geneva_drive.yaml", "torque"): (3e-5, "a peak of some fifteen steps in a quarter of a turn"),
     ("paper_feeder_dwell.yaml", "bearing_max"): (1e-5, "a drive that moves within 0.25 s of 2 s"),
     ("paper_feeder_dwell.yaml", "power_max"): (3e-5, "a drive that moves within 0.25 s of 2 s"),
     ("paper_feeder_dwell.yaml", "speed_max"): (3e-6, "a drive that moves within 0.25 s of 2 s"),

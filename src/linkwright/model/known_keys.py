@@ -16,8 +16,11 @@ def keys_at(owner: Any, path: Iterable[str | int], data: Any = None) -> list[str
     for key in path:
         data = data.get(key) if isinstance(data, Mapping) else None
         kinds = [inner for kind in kinds for inner in _inside(kind, key, data)]
-    keys = (key for kind in kinds if _is_part(kind) for key in _fields(kind))
-    return [*dict.fromkeys(keys)]
+    parts = [_fields(kind) for kind in kinds if _is_part(kind)]
+    # Of elements those by which a kind is chosen come first, after those of the usual one: a list may be cut short.
+    chosen = (kind.kind for kind in kinds if isinstance(getattr(kind, "kind", None), str))
+    usual, named = [*parts[:1]], [key for key in chosen if any(key in part for part in parts)]
+    return [*dict.fromkeys(key for keys in (*usual, named, *parts) for key in keys)]
 
 
 def _kinds(annotation: Any, value: Any) -> Iterator[Any]:

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from linkwright.elements.follower import FollowerGeometry
     from linkwright.elements.geneva.entry import GenevaEntry
 
-ROUND, ARC = 5, 9
+ROUND, ARC = 5, 13
 """Corners of a slot's rounded end, and of an arc of the wheel."""
 AROUND = 144
 """Corners of the locking disc."""
