@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 import linkwright as lw
-from helpers.browsers import chromium
 from helpers.opened import OpenedDrawing, opened, written
 from linkwright.report import ReportData
 from linkwright.report.build import report_data
@@ -20,11 +19,6 @@ pytestmark = pytest.mark.browser
 pytest.importorskip("playwright.sync_api")
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    yield from chromium()
 
 
 @cache

@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 import linkwright as lw
-from helpers.browsers import chromium
 from helpers.examples import four_bar
 from helpers.opened import Opened, opened
 from linkwright.compilation import compile_mechanism
@@ -26,11 +25,6 @@ pytestmark = pytest.mark.browser
 pytest.importorskip("playwright.sync_api")
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    yield from chromium()
 
 
 @pytest.fixture(scope="module")

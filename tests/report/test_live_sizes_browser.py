@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import re
 import time
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +12,6 @@ import numpy as np
 import pytest
 
 import linkwright as lw
-from helpers.browsers import chromium
 from helpers.examples import four_bar
 from linkwright.model.document import dump, load
 from linkwright.report.build import report_data
@@ -24,11 +22,6 @@ from report.test_report_browser import Opened
 
 pytestmark = pytest.mark.browser
 pytest.importorskip("playwright.sync_api")
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    yield from chromium()
 
 
 def written(folder: Path, data: dict[str, Any]) -> Path:

@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 
 from helpers.accuracies import outcome
-from helpers.browsers import chromium
 from helpers.opened import Opened, opened, written
 from helpers.workspaces import five_bar, performed
 from linkwright.presentation.blocks import Chart, Charts, Check, Checks, Copied, Measures, Section, Table
@@ -26,11 +25,6 @@ pytestmark = pytest.mark.browser
 sync_api = pytest.importorskip("playwright.sync_api")
 
 HOSTILE = "</script><img src=x onerror=\"document.title='owned'\">"
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    yield from chromium()
 
 
 @pytest.fixture
