@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 import pytest
 
+from helpers.browsers import chromium
 from linkwright.presentation.blocks import Check, Checks, Measure, Measures, MeasureValue, Section
 from linkwright.report import LinkData, Plot, ReportData, Scene
 
@@ -154,6 +156,13 @@ CHECKS = Checks(
     ],
     ["201 poses computed with the numpy kernel: little work."],
 )
+
+
+@pytest.fixture(scope="package")
+def browser() -> Iterator[Any]:
+    """One for all tests of this folder; each opens its pages in a context of its own. Playwright's loop would be in the
+    way of tests elsewhere."""
+    yield from chromium()
 
 
 @pytest.fixture(scope="session")

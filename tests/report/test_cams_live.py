@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 import linkwright as lw
-from helpers.browsers import chromium
 from helpers.cams import FOLLOWERS, GUIDES, SIGNS, closed_pair, pair
 from helpers.opened import OpenedDrawing, opened, written
 from linkwright.cam.cams_of_mechanism import disc, frame
@@ -108,11 +107,6 @@ def test_they_are_what_a_report_shows(example: str) -> None:
         assert len(lines) == len(shown[link])
         for line, other in zip(lines, shown[link], strict=True):
             assert np.abs(np.array(line) - other).max() < 1e-12
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    yield from chromium()
 
 
 @pytest.fixture

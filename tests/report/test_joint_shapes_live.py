@@ -10,7 +10,6 @@ import pytest
 import shapely
 
 import linkwright as lw
-from helpers.browsers import chromium
 from helpers.opened import OpenedDrawing, opened, written
 from linkwright.report.build import report_data
 
@@ -22,11 +21,6 @@ OUTLINES = """() => Object.fromEntries(linkwright.drawing.scene.links.filter(l =
   .map(l => [l.name, l.outlines]))"""
 ARC = "arc: {centre: M, radius: radius, start: 180 deg}"
 SPLINE = "curve: {along: M at 90 deg, through: [[-45, 3], [-10, 0], [radius/5, 1], [45, 6]]}"
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    yield from chromium()
 
 
 @pytest.fixture

@@ -12,7 +12,6 @@ import pytest
 from live_page import dragged
 
 import linkwright as lw
-from helpers.browsers import chromium
 from helpers.examples import four_bar
 from helpers.opened import Opened, opened
 from linkwright.compilation import compile_mechanism
@@ -27,11 +26,6 @@ pytestmark = pytest.mark.browser
 pytest.importorskip("playwright.sync_api")
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    yield from chromium()
 
 
 @pytest.fixture(scope="module")

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 import linkwright as lw
-from helpers.browsers import chromium
 from helpers.examples import heavy_four_bar
 from linkwright.findings import ModelError
 from linkwright.model.document import dump, load
@@ -21,11 +19,6 @@ from report.test_report_browser import Opened
 
 pytestmark = pytest.mark.browser
 pytest.importorskip("playwright.sync_api")
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    yield from chromium()
 
 
 def gas_spring(**other: Any) -> dict[str, Any]:

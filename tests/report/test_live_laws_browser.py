@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +9,6 @@ import numpy as np
 import pytest
 
 import linkwright as lw
-from helpers.browsers import chromium
 from linkwright.model.document import load
 from linkwright.report.build import report_data
 from linkwright.report.page import page
@@ -21,11 +19,6 @@ pytestmark = pytest.mark.browser
 pytest.importorskip("playwright.sync_api")
 
 FILE = Path(__file__).parents[2] / "examples/dwell_drive.yaml"
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    yield from chromium()
 
 
 def enter(view: Opened, label: str, value: str) -> None:

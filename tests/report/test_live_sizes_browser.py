@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import re
 import time
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +12,6 @@ import numpy as np
 import pytest
 
 import linkwright as lw
-from helpers.browsers import chromium
 from helpers.examples import four_bar
 from linkwright.model.document import dump, load
 from linkwright.report.build import report_data
@@ -24,11 +22,6 @@ from report.test_report_browser import Opened
 
 pytestmark = pytest.mark.browser
 pytest.importorskip("playwright.sync_api")
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    yield from chromium()
 
 
 def written(folder: Path, data: dict[str, Any]) -> Path:
@@ -66,11 +59,12 @@ def chain(dyads: int) -> dict[str, Any]:
     }
 
 
-def test_two_hundred_links(browser: Any, tmp_path: Path) -> None:
-    """The page is alive: it opens, confirms the recorded values, and computes a change as Python does."""
-    dyads = 99
+@pytest.mark.parametrize("dyads", [29, pytest.param(99, marks=pytest.mark.long)])
+def test_many_links(browser: Any, tmp_path: Path, dyads: int) -> None:
+    """The page is alive, with 60 links and with 200, the most of a file: it opens, confirms the recorded values,
+    and computes a change as Python does."""
     data = chain(dyads)
-    assert len(data["links"]) == 200
+    assert len(data["links"]) == 2 * dyads + 2
     path = written(tmp_path, data)
     assert path.stat().st_size < 3e6
     start = time.monotonic()

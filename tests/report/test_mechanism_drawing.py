@@ -12,7 +12,6 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from helpers.browsers import chromium
 from linkwright.report import ReportData, Scene, page
 from linkwright.report.mechanism_drawing import drawing
 from linkwright.report.mechanism_drawing.shapes import MOST_POINTS, hull, line, outline, spring
@@ -155,11 +154,6 @@ def test_all_that_it_draws_has_looks(report: ReportData) -> None:
 
 WITHOUT_LOOKS = {"lw-labels"}
 """Groups only."""
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    yield from chromium()
 
 
 @pytest.fixture

@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 import linkwright as lw
-from helpers.browsers import chromium
 from helpers.opened import OpenedDrawing, opened, written
 from linkwright.report import ReportData
 from linkwright.report.build import report_data
@@ -43,11 +42,6 @@ loads:
 studies:
   cycle: {{turns: 1 motor, samples: {SAMPLES}}}
 """
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    yield from chromium()
 
 
 @pytest.fixture(scope="module")

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
-from helpers.browsers import chromium
 from linkwright.compilation import compile_mechanism
 from linkwright.exports.process_simulate.facts import Facts, facts
 from linkwright.exports.process_simulate.functions import make
@@ -30,11 +28,6 @@ document.addEventListener("securitypolicyviolation", event => violations.push(ev
 OWN = "document.title = 'owned'"
 INJECTED = f"""<script>{OWN}</script><script type="module">{OWN}</script><script src="data:,{OWN}"></script>
 <img src="data:," onerror="{OWN}"><a id="bait" href="javascript:{OWN}">x</a>"""
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    yield from chromium()
 
 
 def hinge_sheet() -> str:

@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 
 import linkwright as lw
-from helpers.browsers import chromium
 from helpers.longer import mostly_long
 from linkwright.report import ReportData, page
 from linkwright.report.build import report_data
@@ -24,11 +23,6 @@ sync_api = pytest.importorskip("playwright.sync_api")
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CHANGED = "Changed: not verified"
 SVG = "{http://www.w3.org/2000/svg}"
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    yield from chromium()
 
 
 @pytest.fixture(scope="module")

@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 
 from helpers.accuracies import outcome
-from helpers.browsers import chromium
 from helpers.opened import Opened, opened, written
 from helpers.workspaces import five_bar, performed
 from linkwright.presentation.blocks import Chart, Charts, Check, Checks, Copied, Measures, Section, Table
@@ -26,11 +25,6 @@ pytestmark = pytest.mark.browser
 sync_api = pytest.importorskip("playwright.sync_api")
 
 HOSTILE = "</script><img src=x onerror=\"document.title='owned'\">"
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    yield from chromium()
 
 
 @pytest.fixture
@@ -392,11 +386,10 @@ def test_one_pose_of_a_workspace_stands_still_before_its_regions(show: Any, widt
 
 
 @cache
-def stepped(trajectories: bool) -> ReportData:
-    """A workspace for several values of two parameters; tests don't change it."""
-    values: dict[str, Any] = {"for": {"l": [12, 11, 13], "base": [10, 12]}}
-    if trajectories:
-        values["trajectories"] = {"hold": "servo", "steps": 6}
+def stepped() -> ReportData:
+    """A workspace for several values of two parameters, coarse; tests don't change it."""
+    values: dict[str, Any] = {"for": {"l": [12, 11, 13], "base": [10, 12]}, "chord": 1e-2}
+    values["trajectories"] = {"hold": "servo", "steps": 6}
     job = performed(five_bar(drives={"motor": [80, 120], "servo": [40, 100]}, **values))
     document = job.examined.document
     assert document is not None
@@ -405,8 +398,8 @@ def stepped(trajectories: bool) -> ReportData:
 
 def seen(view: Opened) -> list[str]:
     """The captions of the pictures that are seen."""
-    captions = view.page.locator("#workspace .stack figure").all()
-    return [one.locator("figcaption").inner_text() for one in captions if one.is_visible()]
+    captions: list[str] = view.page.locator("#workspace .stack figure:visible figcaption").all_inner_texts()
+    return captions
 
 
 def places(view: Opened) -> list[list[float]]:
@@ -419,7 +412,7 @@ def places(view: Opened) -> list[list[float]]:
 @pytest.mark.parametrize(("width", "scheme"), [(390, "dark"), (1400, "light")])
 def test_sliders_step_through_the_pictures_of_a_workspace(show: Any, width: int, scheme: str) -> None:
     view = show(
-        stepped(trajectories=True),
+        stepped(),
         viewport={"width": width, "height": 900},
         color_scheme=scheme,
     )
@@ -440,7 +433,7 @@ def test_sliders_step_through_the_pictures_of_a_workspace(show: Any, width: int,
 
 
 def test_the_slider_stays_in_sight_and_pictures_keep_their_axes(show: Any) -> None:
-    view = show(stepped(trajectories=True), viewport={"width": 1000, "height": 700})
+    view = show(stepped(), viewport={"width": 1000, "height": 700})
     slider = view.page.get_by_role("slider", name="l", exact=True)
     view.page.locator("#workspace .stack").last.scroll_into_view_if_needed()
     box = slider.bounding_box()
@@ -455,20 +448,20 @@ def test_the_slider_stays_in_sight_and_pictures_keep_their_axes(show: Any) -> No
 
 
 def test_on_paper_all_pictures_are_seen_and_without_scripts_a_sentence(show: Any) -> None:
-    data = stepped(trajectories=False)
+    data = stepped()
     silent = show(data, java_script_enabled=False)
     assert seen(silent) == []
     assert silent.page.locator("#workspace noscript p").inner_text() == say("report.no_script_charts")
     assert silent.page.locator("#workspace table").first.is_visible()
     assert not silent.page.locator(".sliders, #workspace .hint").first.is_visible()
     view = show(data)
-    assert len(seen(view)) == 1
+    assert len(seen(view)) == 3
     view.page.emulate_media(media="print")
-    assert len(seen(view)) == 6
+    assert len(seen(view)) == 18
     assert not view.page.locator(".sliders").is_visible()
     boxes = [one.bounding_box() for one in view.page.locator("#workspace .stack figure").all()]
     corners = {(box["x"], box["y"]) for box in boxes if box is not None}
-    assert len(corners) == 6
+    assert len(corners) == 18
 
 
 SAID = """() => {

@@ -16,7 +16,6 @@ import pytest
 
 import linkwright as lw
 from helpers.accuracies import outcome as accuracy_outcome
-from helpers.browsers import chromium
 from helpers.charts import only, plane, titled
 from helpers.heat_seal import heat_seal
 from helpers.heat_seal import performed as cam_performed
@@ -37,11 +36,6 @@ SVG = "{http://www.w3.org/2000/svg}"
 CYCLE = {"turns": "1 motor", "samples": 24}
 B, C = [100.0, 110.0, 120.0], [50.0, 60.0, 80.0, 90.0]
 SWING = "swing over c and b"
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    yield from chromium()
 
 
 @cache
