@@ -27,6 +27,7 @@ from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.kernels.tables import StatedTable
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.plane import LinkagePlane
+from linkwright.model.placed_copies import PlacedCopy
 from linkwright.model.quantities import Quantities
 from linkwright.model.signals import Signal
 from linkwright.structure import Group, HigherGroup, Structure
@@ -50,6 +51,7 @@ class Compiled:
     passages: Passages = field(default_factory=Passages)
     plane: LinkagePlane | None = None  # where a sketch of three coordinates lies in the vehicle
     folder: Path | None = None  # where the files of its tables lie
+    copies: tuple[PlacedCopy, ...] = ()  # those of sub-assemblies that it has
     _kernels: dict[tuple[tuple[Named, ...], bool], Kernel] = field(default_factory=dict)
     _nodes: dict[tuple[Passage, tuple[Named, ...], bool], Array] = field(default_factory=dict, init=False)
     _kept: dict[object, Any] = field(default_factory=dict, init=False)

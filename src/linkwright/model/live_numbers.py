@@ -56,7 +56,7 @@ def live_numbers(named: NamedNumbers, text: str) -> list[LiveNumber]:
         found.append(
             {
                 "name": name,
-                "label": _label(span.path),
+                "label": _label(span.path) if name in named.numbers else name,
                 "path": [*span.path],
                 "value": named.quantities.parameters[name],
                 "unit": span.unit,
@@ -104,7 +104,7 @@ def _range(named: NamedNumbers, name: str, span: NumberSpan, sign: Sign) -> tupl
 def _tolerance(named: NamedNumbers, name: str) -> list[float] | None:
     """The limits of a parameter's tolerance (SI), where it has one."""
     value, dimension = named.quantities.parameters[name], named.quantities.dimensions.of(name)
-    stated = named.mechanism.parameters.get(name)
+    stated = named.quantities.mechanism.parameters.get(name)
     limits = full_tolerance(stated.tolerance).limits if stated is not None else None
     if isinstance(limits, ClassName):
         if dimension == LENGTH:

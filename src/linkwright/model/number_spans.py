@@ -19,6 +19,7 @@ from linkwright.expressions.language import ExpressionError, Node, Number, parse
 from linkwright.expressions.typed_fields import Path
 from linkwright.expressions.units import PURE, Dimension, unit, unit_text
 from linkwright.expressions.written import FrozenDict
+from linkwright.model.copies import with_copies
 from linkwright.model.named_numbers import NamedNumbers
 from linkwright.model.number_places import NumberPlace, literal, number_places
 from linkwright.model.yaml_text import read_text
@@ -104,8 +105,9 @@ class NumberSpans:
     """The numbers of a model by the names of their parameters, as far as they stand in the ``text``.
 
     ``refused`` has the others, each with the reason: ``expression`` (arithmetic or another name is written),
-    ``derived`` (from a sketch), ``not-found`` (not in this text), ``form`` (in brackets, with escapes or over several
-    lines), ``unit`` (a zero without a unit, whose unit the file doesn't declare).
+    ``derived`` (from a sketch), ``shared`` (of all copies of a sub-assembly, and a number for itself), ``not-found``
+    (not in this text), ``form`` (in brackets, with escapes or over several lines), ``unit`` (a zero without a unit,
+    whose unit the file doesn't declare).
     """
 
     text: str
@@ -159,9 +161,10 @@ def number_spans(named: NamedNumbers, text: str) -> NumberSpans:
 
 def _numbers(named: NamedNumbers) -> Iterator[tuple[str, Path, Dimension]]:
     """All numbers by name, each with its place in the model and its dimension: parameters first."""
+    paths = {name: path for copy in reversed(with_copies(named.written).copies) for name, path in copy.given.items()}
     for name in named.quantities.parameters:
         if name not in named.numbers:
-            yield name, ("parameters", name), named.quantities.dimensions.of(name)
+            yield name, paths.get(name, ("parameters", name)), named.quantities.dimensions.of(name)
     for name, number in named.numbers.items():
         yield name, number.path, number.dimension
 
@@ -172,7 +175,7 @@ def _missing(named: NamedNumbers, name: str) -> str:
         return "not-found"
     stated = named.written.parameters.get(name)
     if stated is None:
-        return "derived"
+        return "derived" if name not in with_copies(named.written).mechanism.parameters else "shared"
     return "expression" if literal(stated.value.node) is None else "not-found"
 
 

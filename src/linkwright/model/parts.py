@@ -36,7 +36,7 @@ from linkwright.expressions.fields import (
     Text,
     Two,
 )
-from linkwright.expressions.typed_fields import Ends, Quantity, Ref, Sign, of_parameter
+from linkwright.expressions.typed_fields import DECLARED, Ends, Quantity, Ref, Sign, of_parameter
 from linkwright.expressions.written import Fault, Shortened, plain_number, unexpected
 from linkwright.findings import Joined
 from linkwright.model.tolerances import Tolerance
@@ -133,7 +133,7 @@ class _ByName:
 
 
 Points = Annotated[
-    dict[Name, PlaceOnLink],
+    dict[Annotated[Name, DECLARED], PlaceOnLink],
     BeforeValidator(_named),
     freeze,
     PlainSerializer(_points_as_written),

@@ -8,6 +8,7 @@ the nominal parameters alone.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +20,7 @@ from linkwright.graph.power_rows import PowerRow
 from linkwright.kernels.page_programs import PagePrograms, page_programs
 from linkwright.measures import live_measures, live_rows
 from linkwright.model.conditions import Condition
-from linkwright.model.desugar import with_file_paths
+from linkwright.model.desugar import file_path
 from linkwright.model.document import Document
 from linkwright.model.live_numbers import live_numbers
 from linkwright.model.named_numbers import NamedNumbers, named_numbers
@@ -120,7 +121,7 @@ def live_data(
 def _places(document: Document, named: NamedNumbers, conditions: Sequence[Condition]) -> list[str]:
     """The places of conditions in the file, as findings have them."""
     findings = named.with_file_paths(condition.finding for condition in conditions)
-    return [finding.element for finding in with_file_paths(document, findings)]
+    return [replace(finding, path=file_path(document, finding.path)).element for finding in findings]
 
 
 def _scales(rows: Sequence[Array], kinds: Sequence[object]) -> list[float]:

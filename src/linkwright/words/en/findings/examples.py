@@ -11,6 +11,7 @@ _EXAMPLES = {
     "direction": "Example: [0, 1, 0]",
     "points": "Example: {{A: [0, 0], B: [60, 0]}}",
     "side-of": "Example: left of A-B, seen from A to B",
+    "ports": "Example: [A, B]",
     "position": "Examples: [120, 0], 120 at 30 deg; numbers have a decimal point",
     "place": "Examples: B, [120, 0]",
     "line": "Example: G at 90 deg",
