@@ -16,7 +16,7 @@ from linkwright.expressions.fields import Expression, Frozen, Name
 from linkwright.expressions.typed_fields import ELSEWHERE, Context, Quantity, Ref, Sign
 from linkwright.model.document import Document
 from linkwright.model.mechanism import Mechanism
-from linkwright.model.walk import ExpressionPlace, _fields, Spec, references, sites
+from linkwright.model.walk import ExpressionPlace, Spec, _fields, references, sites
 from linkwright.studies import STUDIES
 from model.given import four_bar
 

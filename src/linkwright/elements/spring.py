@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
 from pydantic import Field
@@ -28,6 +28,7 @@ from linkwright.elements.force import (
     register,
 )
 from linkwright.elements.joint import Applied
+from linkwright.elements.mirror import Mirror, NotMirroredError
 from linkwright.elements.points import links_of_points
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Name
@@ -81,6 +82,12 @@ class Spring(ForceEntry):
     progression: Annotated[Expression | None, Quantity(u.PURE, Sign.NOT_NEGATIVE)] = None
     exponent: Annotated[Expression | None, Quantity(u.PURE, Sign.POSITIVE)] = None
     length: Annotated[Interval | None, PART_LENGTH] = None
+
+    def mirrored(self, name: str, mirror: Mirror) -> Self:
+        """The same spring seen in a mirror. A torsional one would turn the other way round."""
+        if self.torsional:
+            raise NotMirroredError
+        return self
 
     def number_faults(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[NumberFault]:
         if self.gas is not None and self.progression is not None:

@@ -26,8 +26,8 @@ from linkwright.kernels.motions import StatedMotion
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.kernels.tables import StatedTable
 from linkwright.model.mechanism import Mechanism
-from linkwright.model.plane import LinkagePlane
 from linkwright.model.placed_copies import PlacedCopy
+from linkwright.model.plane import LinkagePlane
 from linkwright.model.quantities import Quantities
 from linkwright.model.signals import Signal
 from linkwright.structure import Group, HigherGroup, Structure

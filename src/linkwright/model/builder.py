@@ -134,11 +134,13 @@ class Builder:
         of: str,
         join: Mapping[str, str] | None = None,
         parameters: Mapping[str, Any] | None = None,
+        mirrored: bool = False,
         at: Point = None,
     ) -> Self:
-        """A copy of a sub-assembly: what each of its ports is joined to, other values of its parameters, and the
-        displacement of its points in the frame."""
-        return self._add_entry("copies", name, _without_none(of=of, join=join, parameters=parameters, at=at))
+        """A copy of a sub-assembly: what each of its ports is joined to, other values of its parameters, whether it is
+        the mirror image, and the displacement of its points in the frame."""
+        data = {"of": of, "join": join, "parameters": parameters, "mirrored": mirrored or None, "at": at}
+        return self._add_entry("copies", name, _without_none(**data))
 
     def assembly(self, point: str, rule: Any) -> Self:
         """On which side a group is put together: ``("C", "left of B-D")``."""

@@ -1,13 +1,14 @@
 """Where in the file that stands of which a finding on a spelled out copy tells: in its sub-assembly, or in its entry.
 
-What is wrong with every copy in the same words is told once, in the sub-assembly. What is wrong with some of them alone
-is told at each of these, and so is a value that a copy has of its own. The other place is named besides.
+What is wrong with every copy in the same words is told once, in the sub-assembly; so is what is wrong with several, one
+of which has no values of its own. What is wrong with others is told at each of these, and so is a value that a copy has
+of its own. The other place is named besides.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from copy import copy as duplicate
 from dataclasses import replace
 from typing import Any
@@ -48,12 +49,18 @@ def with_copied_places(written: Mechanism, placed: Placed, findings: Iterable[Fi
             told.append(f)
             continue
         every = alike.get((own.code, stated, own.what), [])
-        if {id(one) for one in every} == {id(one) for one in placed.copies if one.of == of.of}:
+        if _is_of_all(every, of, placed.copies):
             one = replace(own, path=stated, other=OtherPlace("placed-at", every[0].path))
         else:
             one = replace(f, path=given or of.path, other=OtherPlace("stated-at", stated))
         told += [] if one in told else [one]
     return told
+
+
+def _is_of_all(found: Sequence[PlacedCopy], of: PlacedCopy, copies: Iterable[PlacedCopy]) -> bool:
+    """Whether what is found in some copies of a sub-assembly comes from that, rather than from what they are given."""
+    several = len({id(one) for one in found}) > 1 and not all(one.given for one in found)
+    return several or {id(one) for one in found} == {id(one) for one in copies if one.of == of.of}
 
 
 def _follows(placed: Placed, finding: Finding) -> bool:

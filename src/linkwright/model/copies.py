@@ -13,12 +13,14 @@ from typing import Any
 
 from pydantic_core import PydanticCustomError
 
+from linkwright.elements.mirror import Mirror, NotMirroredError, mirrored
 from linkwright.expressions.fields import AssemblyRule, Expression, FrozenDict
 from linkwright.expressions.parser import names_at
 from linkwright.expressions.unknown import near, unknown
 from linkwright.expressions.written import MAX_NAME
 from linkwright.findings import Finding, Joined
 from linkwright.model.copy_entry import NO_TOLERANCE, Copy, CopyParameter
+from linkwright.model.cylinders import with_cylinders
 from linkwright.model.mechanism import FRAME, MAX_ENTRIES, MAX_LINKS, Mechanism, mechanism_of
 from linkwright.model.parts import Link, Parameter
 from linkwright.model.placed_copies import (
@@ -36,6 +38,9 @@ from linkwright.model.renamed import Renaming, namespace
 from linkwright.model.shifted import shifted_link, shifted_rule
 from linkwright.model.sketch import Drawn, sketch_faults, with_sketch
 from linkwright.model.walk import all_fields
+
+UNMIRRORED = ("parameters", "tables", "laws", "windows", "measures", "require")
+"""The sections that have no place in the plane."""
 
 
 def with_copies(m: Mechanism) -> Placed:
@@ -200,11 +205,17 @@ class _Placing:
         self, name: str, copy: Copy, path: Path, flat: Placed, renaming: Renaming, ports: tuple[str, ...]
     ) -> _Made:
         m, shared = flat.mechanism, (FRAME, *ports)
+        mirror = Mirror({renaming.name(link) for link in with_cylinders(m).links if link not in shared})
         made = _Made({section: {} for section in SECTIONS}, {})
         for section, entries in made.entries.items():
             attribute, spec = all_fields(type(m))[section]
             for old, entry in getattr(m, attribute).items():
                 value = renaming.value(entry, spec.item(0))
+                if copy.mirrored and section not in UNMIRRORED:
+                    try:
+                        value = mirrored(value, renaming.name(old), mirror)
+                    except NotMirroredError:
+                        self.note("subassembly.mirrored", (*path, "mirrored"), name=old, section=section, of=copy.of)
                 if section == "links" and len(value.points) < len(entry.points):
                     twice = Joined(one for one in entry.points if one in ports)
                     self.note("subassembly.same-point", (*path, "join"), link=old, points=twice)

@@ -47,4 +47,5 @@ class Copy(Frozen):
     of: Annotated[Name, Ref("subassembly")]
     join: Annotated[dict[Name, Name], freeze] = Field(default_factory=FrozenDict)
     parameters: Annotated[dict[Name, CopyParameter], freeze] = Field(default_factory=FrozenDict)
+    mirrored: bool = False
     at: Annotated[Position | None, AfterValidator(_stated)] = None

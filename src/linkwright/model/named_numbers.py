@@ -21,7 +21,7 @@ from linkwright.findings import Finding, raise_errors
 from linkwright.model.desugar import spell_out
 from linkwright.model.document import Document, plain
 from linkwright.model.mechanism import FRAME, Mechanism, scopes
-from linkwright.model.number_places import NumberPlace, data_at, literal, number_places
+from linkwright.model.number_places import NumberPlace, data_at, literal, number_places, of_copies
 from linkwright.model.parts import Parameter
 from linkwright.model.quantities import Quantities
 from linkwright.model.walk import ExpressionPlace, references, written_sites
@@ -44,6 +44,11 @@ class WrittenNumber:
     dimension: Dimension
     value: float
     sign: Sign = Sign.ANY
+
+    @property
+    def is_parameter(self) -> bool:
+        """Whether it is the value of a sub-assembly's parameter, which copies share."""
+        return of_copies(self.path)
 
 
 @dataclass(frozen=True)
@@ -109,7 +114,7 @@ def _data(m: Mechanism) -> dict[str, Any]:
 
 
 def _may_vary(place: NumberPlace, gauges: Container[Path]) -> bool:
-    if place.of_copies:  # of the dimension that its uses tell
+    if of_copies(place.path):  # of the dimension that its uses tell
         return True
     gauge = place.path in gauges and _is_zero(place.expression)
     return place.section not in CONSTANT and isinstance(place.wanted, Dimension) and not gauge

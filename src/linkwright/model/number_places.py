@@ -44,20 +44,15 @@ class NumberPlace(NamedTuple):
     @property
     def section(self) -> str:
         """The section in which it stands, of the file or of a sub-assembly."""
-        return str(self.path[2] if self.in_subassembly else self.path[0])
+        return str(self.path[2] if self.path[0] == "subassemblies" else self.path[0])
 
-    @property
-    def in_subassembly(self) -> bool:
-        """Whether it stands in a sub-assembly, so that all its copies have it."""
-        return self.path[0] == "subassemblies"
 
-    @property
-    def of_copies(self) -> bool:
-        """Whether it is the value of a parameter that all copies of a sub-assembly have which give it no other: that of
-        the sub-assembly itself, or what it gives to a copy within."""
-        inside = self.path[2:]
-        own = inside[:1] == ("parameters",) and len(inside) == 2
-        return self.in_subassembly and (own or (inside[:3:2] == ("copies", "parameters") and len(inside) == 4))
+def of_copies(path: Path) -> bool:
+    """Whether at a place stands the value of a parameter that all copies of a sub-assembly have which give it no other:
+    that of the sub-assembly itself, or what it gives to a copy within."""
+    inside = path[2:] if path[0] == "subassemblies" else ()
+    own = inside[:1] == ("parameters",) and len(inside) == 2
+    return own or (inside[:3:2] == ("copies", "parameters") and len(inside) == 4)
 
 
 def literal(node: Node) -> Number | None:

@@ -160,7 +160,7 @@ def _numbers(made: PagePrograms, named: NamedNumbers, text: str) -> tuple[list[L
                 "scale": float(f"{scales.get(dimension, abs(one['value']) or one['size']):.3g}"),
                 "unit": one["unit"],
                 "size": one["size"],
-                "named": name not in named.numbers and name in stated,
+                "named": named.numbers[name].is_parameter if name in named.numbers else name in stated,
                 "locked": "" if why is None else why.said("what"),
                 "line": lines.setdefault(one["line"], len(lines)),
                 "start": one["start"],

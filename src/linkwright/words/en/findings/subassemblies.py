@@ -52,6 +52,13 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "If only these deviate, write {{value: {value}, tolerance: none}}. For a deviation of its own, write a number in "
         "place of the expression.",
     ),
+    "subassembly.mirrored": (
+        "The copy can't be mirrored: for '{name}' in the section {section} of the sub-assembly {of}, it isn't defined what "
+        "its mirror image is.",
+        "Only links, pins, slides, straight slots, cylinders, springs between points, counterweights, friction, and forces "
+        "along slides can be mirrored, as far as they are on links of the sub-assembly or on the frame. Define the element "
+        "outside the sub-assembly, or write a second sub-assembly.",
+    ),
     "subassembly.same-point": (
         "Two ports of the link {link} are joined to the same point ({points}).",
         "Join each port of a link to a point of its own.",

@@ -42,6 +42,7 @@ TEXTS: dict[str, str] = {
     "schema.Copy.of": "the sub-assembly",
     "schema.Copy.join": "what each port of the sub-assembly is in the mechanism, e.g. {{A: crank_pin}}",
     "schema.Copy.parameters": "values of the sub-assembly's parameters for this copy, instead of those defined there",
+    "schema.Copy.mirrored": "true for the mirror image, with x in the frame turned round",
     "schema.Copy.at": "displacement of the sub-assembly's points in the frame, [x, y] or 'r at angle'",
     "schema.CopyParameter": "Another value of a parameter, for one copy. Usually written as the value alone.",
     "schema.CopyParameter.alone": "the value alone; the tolerance is that of the sub-assembly",

@@ -42,6 +42,7 @@ TEXTS: dict[str, str] = {
     "schema.Copy.of": "所属的子装配",
     "schema.Copy.join": "子装配的各接口在机构中对应的名称，例如 {{A: crank_pin}}",
     "schema.Copy.parameters": "此副本的参数值，代替子装配中定义的值",
+    "schema.Copy.mirrored": "true 表示镜像：机架上的 x 反向",
     "schema.Copy.at": "子装配在机架上的点的位移，[x, y] 或“r at angle”",
     "schema.CopyParameter": "参数在某一副本中的另一个值，通常只写数值。",
     "schema.CopyParameter.alone": "仅数值；公差与子装配中的相同",
