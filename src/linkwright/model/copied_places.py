@@ -52,7 +52,9 @@ def with_copied_places(written: Mechanism, placed: Placed, findings: Iterable[Fi
         if _is_of_all(every, of, placed.copies):
             one = replace(own, path=stated, other=OtherPlace("placed-at", every[0].path))
         else:
-            one = replace(f, path=given or of.path, other=OtherPlace("stated-at", stated))
+            use = _use(every, of, placed.copies)
+            told_as = own if of.within and use == of.path else f  # one in another: of all copies of that
+            one = replace(told_as, path=given or use, other=OtherPlace("stated-at", stated))
         told += [] if one in told else [one]
     return told
 
@@ -61,6 +63,13 @@ def _is_of_all(found: Sequence[PlacedCopy], of: PlacedCopy, copies: Iterable[Pla
     """Whether what is found in some copies of a sub-assembly comes from that, rather than from what they are given."""
     several = len({id(one) for one in found}) > 1 and not all(one.given for one in found)
     return several or {id(one) for one in found} == {id(one) for one in copies if one.of == of.of}
+
+
+def _use(found: Sequence[PlacedCopy], of: PlacedCopy, copies: Iterable[PlacedCopy]) -> Path:
+    """The entry that a finding on a copy concerns: of one in another, its own where it is found wherever that stands,
+    else the outermost."""
+    everywhere = {id(one) for one in found} >= {id(one) for one in copies if one.path == of.path}
+    return of.path if everywhere or not of.within else of.within[0]
 
 
 def _follows(placed: Placed, finding: Finding) -> bool:

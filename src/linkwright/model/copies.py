@@ -22,6 +22,7 @@ from linkwright.findings import Finding, Joined
 from linkwright.model.copy_entry import NO_TOLERANCE, Copy, CopyParameter
 from linkwright.model.cylinders import with_cylinders
 from linkwright.model.mechanism import FRAME, MAX_ENTRIES, MAX_LINKS, Mechanism, mechanism_of
+from linkwright.model.number_places import stands_for_number
 from linkwright.model.parts import Link, Parameter
 from linkwright.model.placed_copies import (
     ALL,
@@ -110,7 +111,8 @@ class _Placing:
         for section, (name, spec) in all_fields(type(m)).items():
             if section in SECTIONS:
                 known.value(getattr(m, name), spec)
-        declared = {key: section for section in SECTIONS if section not in REFERRING for key in getattr(m, section)}
+        with_ports = [name for name in SECTIONS if name not in REFERRING and namespace(name) in OF_PORTS]
+        declared = {key: section for section in with_ports for key in getattr(m, section)}
         for i, port in enumerate(ports):
             section = declared.get(port, "links")
             if section != "links" or port == FRAME:
@@ -231,7 +233,7 @@ class _Placing:
                 made.entries["parameters"][new] = _given(stated, made.entries["parameters"][new])
                 given[new] = (*path, "parameters", old)
         own = placed_copy(path, copy.of, flat, renaming, ports, given)
-        made.copies = (own, *(one.renamed(renaming) for one in flat.copies))
+        made.copies = (own, *(one.renamed(renaming, path) for one in flat.copies))
         return made
 
     def _check_copy(self, copy: Copy, m: Mechanism, path: Path) -> None:
@@ -254,7 +256,8 @@ class _Placing:
 
 def _depends(value: Expression) -> bool:
     """Whether a value follows from other parameters."""
-    return any(at.role == "parameter" and value.text[at.start : at.end] != "pi" for at in names_at(value.text))
+    names = (value.text[at.start : at.end] for at in names_at(value.text) if at.role == "parameter")
+    return any(name != "pi" and not stands_for_number(name) for name in names)
 
 
 def _given(stated: CopyParameter, known: Parameter) -> Parameter:

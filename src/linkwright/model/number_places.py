@@ -47,6 +47,11 @@ class NumberPlace(NamedTuple):
         return str(self.path[2] if self.path[0] == "subassemblies" else self.path[0])
 
 
+def stands_for_number(name: str) -> bool:
+    """Whether a name is one of those that no file has, which are given to its numbers."""
+    return "'" in name
+
+
 def of_copies(path: Path) -> bool:
     """Whether at a place stands the value of a parameter that all copies of a sub-assembly have which give it no other:
     that of the sub-assembly itself, or what it gives to a copy within."""

@@ -161,10 +161,11 @@ def number_spans(named: NamedNumbers, text: str) -> NumberSpans:
 
 def _numbers(named: NamedNumbers) -> Iterator[tuple[str, Path, Dimension]]:
     """All numbers by name, each with its place in the model and its dimension: parameters first."""
-    paths = {name: path for copy in reversed(with_copies(named.written).copies) for name, path in copy.given.items()}
+    placed = reversed(with_copies(named.written).copies)
+    given = {name: path for copy in placed for name, path in copy.given.items() if path[0] == "copies"}
     for name in named.quantities.parameters:
         if name not in named.numbers:
-            yield name, paths.get(name, ("parameters", name)), named.quantities.dimensions.of(name)
+            yield name, given.get(name, ("parameters", name)), named.quantities.dimensions.of(name)
     for name, number in named.numbers.items():
         yield name, number.path, number.dimension
 

@@ -40,9 +40,11 @@ class PlacedCopy:
     shared: Mapping[str, str]
     given: Mapping[str, Path]
     parameters: frozenset[str]
+    within: tuple[Path, ...] = ()
+    """The entries of the copies in which it stands, the outermost first."""
 
-    def renamed(self, renaming: Renaming) -> PlacedCopy:
-        """The same within a copy of what it stands in."""
+    def renamed(self, renaming: Renaming, path: Path) -> PlacedCopy:
+        """The same within a copy of what it stands in, whose entry stands at ``path``."""
 
         def new(name: str) -> str:
             return next((of[name] for of in renaming.names.values() if name in of), name)
@@ -54,6 +56,7 @@ class PlacedCopy:
             points=frozenset(map(renaming.name, self.points)),
             shared=FrozenDict({renaming.name(link): old for link, old in self.shared.items()}),
             given=FrozenDict({renaming.name(name, "parameter"): path for name, path in self.given.items()}),
+            within=(path, *self.within),
             parameters=frozenset(renaming.name(name, "parameter") for name in self.parameters),
         )
 
@@ -111,4 +114,6 @@ def own_names(m: Mechanism, ports: Iterable[str] = ()) -> dict[str, list[str]]:
         if section not in REFERRING:
             found[namespace(section)] |= dict.fromkeys(getattr(full, section))
     found["element"] |= dict.fromkeys(point for link in full.links.values() for point in link.points)
-    return {space: [name for name in names if name not in shared] for space, names in found.items()}
+    return {
+        space: [name for name in names if space not in OF_PORTS or name not in shared] for space, names in found.items()
+    }
