@@ -195,3 +195,31 @@ def test_a_fault_of_a_copy_in_another_is_told_in_the_innermost_place_that_has_it
 def test_names_of_a_copy_that_failed_are_not_told_besides() -> None:
     found = findings(changed("left1: {of: leg,", "left1: {of: legg,"))
     assert [f.code for f in found] == ["name.unknown"]
+
+
+def test_all_faults_of_form_are_told_at_once() -> None:
+    text = """
+linkwright: 1
+units: {length: mm, angle: deg, time: s}
+subassemblies:
+  leg:
+    joints: {g: {gear: [a, b], ratio: 2}}
+    links: {a: {points: {A: [0, 0]}, mss: 3}, b: 7}
+    assembly: {C: links of A-B}
+links: {frame: {points: {O: [0, 0]}}}
+copies:
+  left: leg
+  right: {of: leg, join: [A]}
+"""
+    found = {f.element: f for f in findings(text)}
+    assert [*found] == [
+        "subassemblies.leg.joints.g.gear",
+        "subassemblies.leg.links.a.mss",
+        "subassemblies.leg.links.b",
+        "subassemblies.leg.assembly.C",
+        "copies.left",
+        "copies.right.join",
+    ]
+    assert found["copies.left"].mend == "Example: copies: {left: {of: leg, join: {A: crank_pin}}}"
+    assert "links: {crank" in found["subassemblies.leg.links.b"].mend
+    assert [f.line for f in found.values()] == [6, 7, 7, 8, 11, 12]

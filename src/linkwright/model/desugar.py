@@ -64,10 +64,10 @@ def with_file_paths(m: Mechanism, findings: Iterable[Finding]) -> list[Finding]:
     return with_copied_places(m, placed, found)
 
 
-def file_path(m: Mechanism, path: Path) -> Path:
-    """The place in the file of one of a mechanism's spelled out form."""
+def file_paths(m: Mechanism, paths: Iterable[Path]) -> list[Path]:
+    """The places in the file of those of a mechanism's spelled out form."""
     placed = with_copies(m)
-    return copied_path(m, placed, _short_path(placed.mechanism, path))
+    return [copied_path(m, placed, _short_path(placed.mechanism, path)) for path in paths]
 
 
 def _short_path(m: Mechanism, path: Path) -> Path:

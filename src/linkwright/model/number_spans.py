@@ -22,6 +22,7 @@ from linkwright.expressions.written import FrozenDict
 from linkwright.model.copies import with_copies
 from linkwright.model.named_numbers import NamedNumbers
 from linkwright.model.number_places import NumberPlace, literal, number_places
+from linkwright.model.placed_copies import Placed
 from linkwright.model.yaml_text import read_text
 
 _NUMBER = re.compile(r"(?:[-+−]\s*)*(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
@@ -139,10 +140,11 @@ def number_spans(named: NamedNumbers, text: str) -> NumberSpans:
     lines = [0, *(match.end() for match in _BREAK.finditer(text))]
     spans: dict[str, NumberSpan] = {}
     refused: dict[str, str] = {}
-    for name, path, dimension in _numbers(named):
+    placed = with_copies(named.written)
+    for name, path, dimension in _numbers(named, placed):
         place = by_path.get(path)
         if place is None:
-            refused[name] = _missing(named, name)
+            refused[name] = _missing(named, placed, name)
             continue
         found = _found(text, offset, place, scalars)
         of = _unit(place.expression.node, dimension, named.quantities.declared)
@@ -159,10 +161,9 @@ def number_spans(named: NamedNumbers, text: str) -> NumberSpans:
     return NumberSpans(text, FrozenDict(spans), FrozenDict(refused))
 
 
-def _numbers(named: NamedNumbers) -> Iterator[tuple[str, Path, Dimension]]:
+def _numbers(named: NamedNumbers, placed: Placed) -> Iterator[tuple[str, Path, Dimension]]:
     """All numbers by name, each with its place in the model and its dimension: parameters first."""
-    placed = reversed(with_copies(named.written).copies)
-    given = {name: path for copy in placed for name, path in copy.given.items() if path[0] == "copies"}
+    given = {name: path for copy in reversed(placed.copies) for name, path in copy.given.items() if path[0] == "copies"}
     for name in named.quantities.parameters:
         if name not in named.numbers:
             yield name, given.get(name, ("parameters", name)), named.quantities.dimensions.of(name)
@@ -170,13 +171,13 @@ def _numbers(named: NamedNumbers) -> Iterator[tuple[str, Path, Dimension]]:
         yield name, number.path, number.dimension
 
 
-def _missing(named: NamedNumbers, name: str) -> str:
+def _missing(named: NamedNumbers, placed: Placed, name: str) -> str:
     """Why a number has no place in the data of a text."""
     if name in named.numbers:
         return "not-found"
     stated = named.written.parameters.get(name)
     if stated is None:
-        return "derived" if name not in with_copies(named.written).mechanism.parameters else "shared"
+        return "derived" if name not in placed.mechanism.parameters else "shared"
     return "expression" if literal(stated.value.node) is None else "not-found"
 
 

@@ -20,7 +20,7 @@ from linkwright.graph.power_rows import PowerRow
 from linkwright.kernels.page_programs import PagePrograms, page_programs
 from linkwright.measures import live_measures, live_rows
 from linkwright.model.conditions import Condition
-from linkwright.model.desugar import file_path
+from linkwright.model.desugar import file_paths
 from linkwright.model.document import Document
 from linkwright.model.live_numbers import live_numbers
 from linkwright.model.named_numbers import NamedNumbers, named_numbers
@@ -121,7 +121,8 @@ def live_data(
 def _places(document: Document, named: NamedNumbers, conditions: Sequence[Condition]) -> list[str]:
     """The places of conditions in the file, as findings have them."""
     findings = named.with_file_paths(condition.finding for condition in conditions)
-    return [replace(finding, path=file_path(document, finding.path)).element for finding in findings]
+    paths = file_paths(document, (finding.path for finding in findings))
+    return [replace(finding, path=path).element for finding, path in zip(findings, paths, strict=True)]
 
 
 def _scales(rows: Sequence[Array], kinds: Sequence[object]) -> list[float]:

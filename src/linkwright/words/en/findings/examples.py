@@ -55,6 +55,8 @@ _SECTIONS = {
     "measures": "Example: measures: {{swing: {{span: rocker.angle}}}}",
     "require": "Example: require: {{swing: '>= 60 deg'}}",
     "studies": "Example: studies: {{cycle: {{turns: 1 motor}}}}",
+    "subassemblies": "Example: subassemblies: {{leg: {{ports: [A], links: {{bar: {{points: {{A: [0, 0], C: [90, 0]}}}}}}}}}}",
+    "copies": "Example: copies: {{left: {{of: leg, join: {{A: crank_pin}}}}}}",
     "exports": "Example: exports: {{mjcf: {{duration: 2 s}}}}",
 }
 TERMS = {f"{wanted}-as": text for wanted, text in _EXAMPLES.items()} | {

@@ -55,6 +55,8 @@ _SECTIONS = {
     "measures": "示例：measures: {{swing: {{span: rocker.angle}}}}",
     "require": "示例：require: {{swing: '>= 60 deg'}}",
     "studies": "示例：studies: {{cycle: {{turns: 1 motor}}}}",
+    "subassemblies": "示例：subassemblies: {{leg: {{ports: [A], links: {{bar: {{points: {{A: [0, 0], C: [90, 0]}}}}}}}}}}",
+    "copies": "示例：copies: {{left: {{of: leg, join: {{A: crank_pin}}}}}}",
     "exports": "示例：exports: {{mjcf: {{duration: 2 s}}}}",
 }
 TERMS = {f"{wanted}-as": text for wanted, text in _EXAMPLES.items()} | {
