@@ -11,10 +11,12 @@ import pytest
 
 from linkwright import gallery
 from linkwright.compilation import examine
+from linkwright.elements.entries import ENTRIES
 from linkwright.kernels import Compiled
 from linkwright.model.document import Document, load, parse_document, plain, read_document
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.sections import Sections
+from linkwright.reductions import ENTRIES as MEASURES
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 NAME = "c"
@@ -81,3 +83,16 @@ def test_a_whole_file_as_a_copy_has_the_same_motion_and_forces(name: str) -> Non
     t = np.linspace(0.0, 0.05, 4)
     one, other = expected.evaluate(rows, t), compiled.evaluate([prefixed(row) for row in rows], t)
     np.testing.assert_array_equal(one, other)
+
+
+def test_every_kind_of_element_is_among_them() -> None:
+    """So a new kind is covered by its example."""
+    found = {
+        type(entry)
+        for document, _ in MODELS.values()
+        for section in ENTRIES
+        for entry in getattr(document, section).values()
+    }
+    found |= {type(measure) for document, _ in MODELS.values() for measure in document.measures.values()}
+    known = {entry for entries in ENTRIES.values() for entry in entries.values()} | {*MEASURES.values()}
+    assert {entry for entry in known - found if entry.__module__.startswith("linkwright.")} == set()
