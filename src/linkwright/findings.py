@@ -113,6 +113,31 @@ def reason(error: Exception) -> Text:
 
 
 @dataclass(frozen=True)
+class OtherPlace:
+    """A second place in the file that a finding concerns, and the ``term`` that says what it is to the first."""
+
+    term: str
+    path: tuple[str | int, ...]
+    line: int | None = None
+
+    @property
+    def element(self) -> str:
+        """The element there, as a dotted path."""
+        return line(".".join(str(key) for key in self.path))
+
+    @property
+    def said(self) -> Term:
+        """Where that is, as a sentence."""
+        at = Term("drawn-line", at=self.line) if self.line else None
+        place = Term("colon", first=self.element, then=at) if at else self.element
+        return Term(self.term, place=place)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain data for JSON output."""
+        return {"element": self.element, "line": self.line}
+
+
+@dataclass(frozen=True)
 class Finding:
     """One fault (or note): its code, the place in the file, the element, and the data of its sentence.
 
@@ -124,6 +149,7 @@ class Finding:
     data: Mapping[str, Any] = field(default_factory=dict)
     line: int | None = None
     severity: str = "error"
+    other: OtherPlace | None = None
 
     @property
     def element(self) -> str:
@@ -141,8 +167,9 @@ class Finding:
         return str(self.said("mend"))
 
     def said(self, part: str) -> Said:
-        """Its ``what`` or ``mend``, in the language in which it is shown."""
-        return Said(f"{self.code}.{part}", **self.data)
+        """Its ``what`` or ``mend``, in the language in which it is shown; with the former goes its second place."""
+        said = Said(f"{self.code}.{part}", **self.data)
+        return said if self.other is None or part != "what" else Joined((said, self.other.said), SENTENCES)
 
     def located(self, line: int | None) -> Finding:
         """The same finding with its line."""
@@ -157,6 +184,7 @@ class Finding:
             "element": self.element,
             "what": self.what,
             "mend": self.mend,
+            **({"other": self.other.as_dict()} if self.other is not None else {}),
         }
 
     def __str__(self) -> str:

@@ -16,7 +16,7 @@ from linkwright.expressions.fields import Expression, Frozen, Name
 from linkwright.expressions.typed_fields import ELSEWHERE, Context, Quantity, Ref, Sign
 from linkwright.model.document import Document
 from linkwright.model.mechanism import Mechanism
-from linkwright.model.walk import ExpressionPlace, _fields, _Spec, references, sites
+from linkwright.model.walk import ExpressionPlace, Spec, _fields, references, sites
 from linkwright.studies import STUDIES
 from model.given import four_bar
 
@@ -32,7 +32,7 @@ def unstated(entry: type[BaseModel], around: bool = False) -> Iterator[str]:
             yield from unstated(part, around or spec.quantity is not None)
 
 
-def _bare(spec: _Spec, around: bool) -> Iterator[type]:
+def _bare(spec: Spec, around: bool) -> Iterator[type]:
     around = around or spec.quantity is not None
     if spec.form == "value":
         yield from (kind for kind in spec.kinds if issubclass(kind, Expression) and not around)
@@ -40,7 +40,7 @@ def _bare(spec: _Spec, around: bool) -> Iterator[type]:
         yield from _bare(inner, around)
 
 
-def _parts(spec: _Spec) -> Iterator[type[BaseModel]]:
+def _parts(spec: Spec) -> Iterator[type[BaseModel]]:
     yield from (kind for kind in spec.kinds if spec.form == "value" and issubclass(kind, BaseModel))
     for inner in spec.inner:
         yield from _parts(inner)

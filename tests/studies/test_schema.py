@@ -126,9 +126,9 @@ def _names(schema: Any, key: str = "") -> Iterator[str]:
 
 
 def test_every_name_says_what_it_names() -> None:
-    """But points of a follower, joints by the names that they have with play or in another tool, tables of springs:
-    these are looked up by what knows them."""
-    looked_up = {"at", "knife", "centre", "in", "master", "flipped", "left_out", "force", "torque"}
+    """But points of a follower, joints by the names that they have with play or in another tool, tables of springs,
+    what ports are and are joined to: these are looked up by what knows them."""
+    looked_up = {"at", "knife", "centre", "in", "master", "flipped", "left_out", "force", "torque", "join", "ports"}
     assert {*_names(file_schema())} - looked_up == set()
 
 

@@ -58,6 +58,7 @@ TITLES = {
     "joint": "Joints",
     "cylinder": "Cylinders",
     "cam": "Cams",
+    "subassembly": "Sub-assemblies",
     "sketch": "The sketch",
     "drive": "Drives",
     "path": "Paths of points",

@@ -164,7 +164,7 @@ EXCEPTIONS = {
     "joint.lifts-off.mend": "preload",  # to preload
     # Keys of a file, and what happens in place of what it is called.
     "schema.Facts.outline": "sweep",
-    "schema.Mechanism.require": "stroke",
+    "schema.Sections.require": "stroke",
     "schema.SweepOptions.keep": "deviation",
 }
 """Texts that say one of them in another way."""

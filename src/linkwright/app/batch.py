@@ -23,6 +23,7 @@ from linkwright.expressions.units import UnitError, unit
 from linkwright.expressions.unknown import near
 from linkwright.findings import Finding, ModelError, capped
 from linkwright.model import csv_text
+from linkwright.model.copies import with_copies
 from linkwright.model.csv_file import CsvFile, finite, listed, read_csv
 from linkwright.model.document import Document, read_document, replaced
 from linkwright.model.input_files import read_at_most
@@ -69,7 +70,7 @@ class Base:
     def parameters(self) -> list[str]:
         """The parameters that a row may give, derived ones too."""
         assert self.document is not None
-        return [*with_sketch(in_plane(self.document).mechanism).parameters]
+        return [*with_sketch(in_plane(with_copies(self.document).mechanism).mechanism).parameters]
 
 
 @dataclass
@@ -189,7 +190,7 @@ def template(model: str, folder: Path) -> tuple[str, list[Finding]]:
     compiled, findings = examine(base.document, base.folder)
     if compiled is None:
         return "", findings
-    quantities, entries = compiled.quantities, base.document.parameters
+    quantities, entries = compiled.quantities, with_copies(base.document).mechanism.parameters
     heads, cells = [NAME, MODEL], [f"{Path(model).stem}-1", model]
     for name in entries:
         if not names_in(entries[name].value.node):

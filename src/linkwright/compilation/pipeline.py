@@ -87,7 +87,7 @@ def examine(mechanism: Mechanism, folder: Path | None = None, uses: Uses = ()) -
         return None, made.spelled.with_file_paths(assembly.findings)
     parts = (made.mechanism, made.quantities, made.structure, assembly, made.laws, made.tables, made.motions)
     odd = warnings(made.spelled, made.quantities, made.stated, assembly)
-    return Compiled(*parts, plane=made.spelled.plane, folder=folder), odd
+    return Compiled(*parts, plane=made.spelled.plane, folder=folder, copies=made.spelled.copies), odd
 
 
 def compile_model(model: str | Path | Mechanism, folder: str | Path | None = None) -> Compiled:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Annotated, ClassVar
+from typing import Annotated, ClassVar, Self
 
 from linkwright.elements.entries import ForceEntry
 from linkwright.elements.fields import INERTIA, At
 from linkwright.elements.force import ForceKind, Weight, register
+from linkwright.elements.mirror import Mirror
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Name
 from linkwright.expressions.typed_fields import Quantity, Ref, Sign
@@ -24,6 +25,12 @@ class Counterweight(ForceEntry):
     mass: Annotated[Expression, Quantity(u.MASS, Sign.POSITIVE, "mass")]
     at: Annotated[At, Ref("point", of="on")]
     inertia: Annotated[Expression | None, INERTIA] = None
+
+    def mirrored(self, name: str, mirror: Mirror) -> Self:
+        """The same mass seen in a mirror."""
+        if isinstance(self.at, str):
+            return self
+        return self.model_copy(update={"at": mirror.position(self.on, self.at)})
 
 
 @register

@@ -7,11 +7,12 @@ A cylinder ``lift`` from the point K to the point M becomes the links ``lift_bar
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Annotated, Any
+from typing import Annotated, Any, Self
 
 from pydantic import Field
 
 from linkwright.elements.fields import INERTIA, PART_LENGTH, Interval, PointName
+from linkwright.elements.mirror import Mirror
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen
 from linkwright.expressions.typed_fields import ELSEWHERE, Quantity, Sign
@@ -46,6 +47,10 @@ class Cylinder(Frozen):
         barrel, rod = links_of(name)
         links = {barrel: _part(barrel, self.from_, self.barrel, 1), rod: _part(rod, self.to, self.rod, -1)}
         return links, {"prismatic": [barrel, rod], "line": [f"{self.from_} at 0", f"{self.to} at 0"]}
+
+    def mirrored(self, name: str, mirror: Mirror) -> Self:
+        """The same cylinder seen in a mirror: all of it lies on one line."""
+        return self
 
     def parts(self, name: str) -> Iterator[tuple[str, str, CylinderPart | None]]:
         """Link, key and mass of barrel and rod."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import Field
 
@@ -54,6 +54,11 @@ class SideOf(Written):
         self.set_attribute("sign", 1 if match[1] == "left" else -1)
         self.set_attribute("points", (match[2], match[3]))
 
+    def mirrored(self) -> SideOf:
+        """The other side of the same line."""
+        word = "right" if self.sign > 0 else "left"
+        return SideOf("{} of {}-{}".format(word, *self.points))
+
     def names(self) -> Names:
         return ((point, _OWN_POINT) for point in self.points)
 
@@ -86,6 +91,10 @@ class ByDistances(Frozen):
     def raw(self) -> dict[str, Any]:
         """As a file has it."""
         return {"from": {point: length.raw for point, length in self.from_.items()}, "side": self.side.raw}
+
+    def mirrored(self) -> Self:
+        """The same point seen in a mirror: on the other side."""
+        return self.model_copy(update={"side": self.side.mirrored()})
 
     def sides(self, number: Callable[[Expression, u.Dimension], Scalar]) -> tuple[Scalar, Scalar]:
         """Its distances (m) from the two points of its ``side``, in their order."""

@@ -8,10 +8,11 @@ loaded when a file names a kind that isn't known yet, and for the schema.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import Any, ClassVar, Protocol
+from typing import Any, ClassVar, Protocol, Self
 
 from pydantic import BaseModel
 
+from linkwright.elements.mirror import Mirror, NotMirroredError
 from linkwright.expressions.fields import Expression, Frozen
 from linkwright.expressions.typed_fields import Context, Quantity, Sign
 from linkwright.expressions.units import Dimension
@@ -96,6 +97,10 @@ class JointEntry(Frozen):
         """The values of its signals at which curves of its closure join, so that the links' jerk jumps there."""
         return {}
 
+    def mirrored(self, name: str, mirror: Mirror) -> Self:
+        """The same element of that name seen in a mirror. Raises :class:`NotMirroredError` where that isn't told."""
+        raise NotMirroredError
+
     def number_faults(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[NumberFault]:
         """What may be wrong with its numbers together; ``value`` gives them in SI: numbers, arrays of samples, or
         symbols."""
@@ -125,6 +130,10 @@ class ForceEntry(Frozen):
         found = quantity.dimension_at(Context(None, entries=(self,)))
         assert isinstance(found, Dimension)
         return found
+
+    def mirrored(self, name: str, mirror: Mirror) -> Self:
+        """The same element of that name seen in a mirror. Raises :class:`NotMirroredError` where that isn't told."""
+        raise NotMirroredError
 
     def number_faults(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[NumberFault]:
         """What may be wrong with its numbers together; ``value`` gives them in SI: numbers, arrays of samples, or

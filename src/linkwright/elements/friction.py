@@ -12,7 +12,7 @@ A moment or force is positive where it drives the first link with the motion to 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
 from pydantic import Field
@@ -33,6 +33,7 @@ from linkwright.elements.force import (
     register,
 )
 from linkwright.elements.joint import Applied
+from linkwright.elements.mirror import Mirror, NotMirroredError
 from linkwright.elements.pins import pins
 from linkwright.elements.touch import Reacting
 from linkwright.expressions import units as u
@@ -106,6 +107,13 @@ class Friction(ForceEntry):
             more = value(self.static, u.PURE) - value(self.coefficient, u.PURE)
             data = {"static": self.static.text[:40], "coefficient": self.coefficient.text[:40]}
             yield more, Sign.NOT_NEGATIVE, ("friction.static-less", data, "static")
+
+    def mirrored(self, name: str, mirror: Mirror) -> Self:
+        """The same friction seen in a mirror: it works against the motion either way. A coefficient that follows the
+        motion may ask signals that change their sign."""
+        if self.coefficient is not None and any(is_signal(part) for part in nodes(self.coefficient.node)):
+            raise NotMirroredError
+        return self
 
     @property
     def turns(self) -> bool:

@@ -6,7 +6,7 @@ A load between two links has an opposite on the other, in the same line of actio
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
 from pydantic import Discriminator, Field, Tag
@@ -15,9 +15,11 @@ from linkwright.elements.entries import ForceEntry
 from linkwright.elements.fields import At, Vector
 from linkwright.elements.force import ForceContext, ForceKind, ForceReports, Use, register
 from linkwright.elements.joint import Applied
+from linkwright.elements.mirror import Mirror, NotMirroredError
 from linkwright.elements.points import FRAME
 from linkwright.expressions.dimensions import Wanted
 from linkwright.expressions.fields import Expression, Name
+from linkwright.expressions.language import is_signal, nodes
 from linkwright.expressions.typed_fields import Path, Quantity, Ref, Scope
 from linkwright.expressions.units import FORCE, TORQUE, Dimension
 from linkwright.expressions.written import Fault
@@ -66,6 +68,18 @@ class Load(ForceEntry):
             yield "load.direction", {}
         elif not vector and "in" in given:
             yield "load.in", {}
+
+    def mirrored(self, name: str, mirror: Mirror) -> Self:
+        """The same load seen in a mirror, where it is a force along a slide that doesn't follow the motion."""
+        if self.along is None or self.torque is not None or isinstance(self.force, tuple) or self.force is None:
+            raise NotMirroredError
+        if any(is_signal(part) for part in nodes(self.force.node)):
+            raise NotMirroredError
+        return (
+            self
+            if isinstance(self.at, str) or self.at is None
+            else self.model_copy(update={"at": mirror.position(self.on, self.at)})
+        )
 
     @property
     def parts(self) -> tuple[tuple[Expression, Dimension], ...]:

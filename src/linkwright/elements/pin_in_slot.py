@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Annotated, Any, ClassVar, Literal
+from typing import Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
 from pydantic import BeforeValidator
@@ -35,6 +35,7 @@ from linkwright.elements.joint import (
     Reaction,
     register,
 )
+from linkwright.elements.mirror import Mirror, NotMirroredError
 from linkwright.elements.touch import Reacting, ReportedTouch, Touch
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen, LineOn, Name, Two, fault, pair
@@ -100,6 +101,14 @@ class PinInSlotEntry(JointEntry):
         slots = [key for key in ("straight", "arc", "curve") if key in given]
         if len(slots) != 1:
             yield "joint.slot", {"given": Joined(slots) or "-"}
+
+    def mirrored(self, name: str, mirror: Mirror) -> Self:
+        """The same straight slot seen in a mirror: its flanks change sides. The travel of others counts the other way
+        round."""
+        if self.straight is None:
+            raise NotMirroredError
+        flank = {"left": "right", "right": "left"}.get(self.flank, self.flank)
+        return self.model_copy(update={"straight": mirror.line(self.pin_in_slot[1], self.straight), "flank": flank})
 
     @property
     def joint_points(self) -> tuple[str, ...]:

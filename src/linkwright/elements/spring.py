@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
 from pydantic import Field
@@ -28,17 +28,19 @@ from linkwright.elements.force import (
     register,
 )
 from linkwright.elements.joint import Applied
+from linkwright.elements.mirror import Mirror, NotMirroredError
 from linkwright.elements.points import links_of_points
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Name
 from linkwright.expressions.language import Name as Signal
-from linkwright.expressions.typed_fields import Path, Quantity, Ref, Scope, Sign
+from linkwright.expressions.typed_fields import Named, Path, Quantity, Ref, Scope, Sign
 from linkwright.expressions.units import Dimension
 from linkwright.expressions.written import Fault
 from linkwright.findings import Finding, Joined, Term
 from linkwright.notation import Pair, Scalar, Vec, Wrench
 from linkwright.notation.jets import call
 
+TABLE = Named("function")
 _BETWEEN_POINTS = ("from", "to", "in", "length", "force", "gas", "progression", "exponent")
 _AT_JOINT = ("turns", "on", "torque")
 _LINEAR, _GAS = ("free", "preload"), ("progression", "exponent")
@@ -74,12 +76,18 @@ class Spring(ForceEntry):
     free: Annotated[Expression | None, _FREE] = None
     preload: Annotated[Expression | None, _law(u.FORCE, u.TORQUE, Sign.ANY)] = None
     damping: Annotated[Expression | None, _law(u.DAMPING, u.TORSIONAL_DAMPING)] = None
-    force: Name | None = None
-    torque: Name | None = None
+    force: Annotated[Name | None, TABLE] = None
+    torque: Annotated[Name | None, TABLE] = None
     gas: Annotated[Expression | None, Quantity(u.FORCE, Sign.POSITIVE)] = None
     progression: Annotated[Expression | None, Quantity(u.PURE, Sign.NOT_NEGATIVE)] = None
     exponent: Annotated[Expression | None, Quantity(u.PURE, Sign.POSITIVE)] = None
     length: Annotated[Interval | None, PART_LENGTH] = None
+
+    def mirrored(self, name: str, mirror: Mirror) -> Self:
+        """The same spring seen in a mirror. A torsional one would turn the other way round."""
+        if self.torsional:
+            raise NotMirroredError
+        return self
 
     def number_faults(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[NumberFault]:
         if self.gas is not None and self.progression is not None:

@@ -338,6 +338,14 @@ class AssemblyRule(Written):
         if self.along is not None:
             yield self.along, Ref("slide")
 
+    def mirrored(self, name: str, mirror: Any) -> AssemblyRule:
+        """The rule for the same group seen in a mirror, in which the x axis of the frame is turned round."""
+        if self.sketch is not None:
+            x, y = self.sketch.first, self.sketch.second
+            return type(self)([f"-({x.text})", y.raw])
+        other = {"left": "right", "right": "left"}.get(self.word)
+        return self if other is None else type(self)("{} of {}-{}".format(other, *self.reference))
+
     def _set_fields(self, word: str, reference: tuple[str, ...], along: str | None, sketch: Position | None) -> None:
         self.set_attribute("word", word)
         self.set_attribute("reference", reference)

@@ -7,12 +7,13 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import lru_cache
-from typing import Any
+from typing import Any, Literal, NamedTuple
 
 from linkwright.expressions.trees import Binary, Call, Name, Negative, Node, Number, height
 from linkwright.expressions.units import is_unit
 from linkwright.findings import Term
 
+Role = Literal["element", "function", "parameter"]
 MAX_TEXT = 2000
 MAX_DEPTH = 60
 MAX_HEIGHT = 200
@@ -48,6 +49,23 @@ def tokens(text: str) -> Iterator[tuple[str, str, int, int]]:
         yield kind, text[start:position], start, position
 
 
+class NameAt(NamedTuple):
+    """A name in the text of an expression, from ``start`` to ``end``: of an ``element`` of the mechanism (the owner of
+    a signal), of a ``function`` or table, or of a ``parameter``."""
+
+    start: int
+    end: int
+    role: Role
+
+
+@lru_cache(maxsize=4096)
+def names_at(text: str) -> tuple[NameAt, ...]:
+    """The names in an expression, in their order; units aren't names. Raises :class:`ExpressionError`."""
+    parser = _Parser(text)
+    parser.parse()
+    return tuple(sorted(parser.names))
+
+
 @lru_cache(maxsize=4096)
 def parse(text: str) -> Node:
     """The syntax tree of ``text``. Raises :class:`ExpressionError` with a short reason."""
@@ -75,13 +93,16 @@ def reads(text: str) -> bool:
 class _Parser:
     text: str
     tokens: list[tuple[str, str]] = field(default_factory=list)
+    places: list[tuple[int, int]] = field(default_factory=list)
+    names: list[NameAt] = field(default_factory=list)
     at: int = 0
     depth: int = 0
 
     def scan(self) -> None:
-        for kind, value, _, _ in tokens(self.text):
+        for kind, value, start, end in tokens(self.text):
             if not kind:
                 raise ExpressionError("character", given=value)
+            self.places.append((start, end))
             self.tokens.append((kind, _SPELLINGS.get(value, value)))
         self.tokens.append(("end", ""))
 
@@ -157,14 +178,22 @@ class _Parser:
         raise ExpressionError("value", before=value) if value else ExpressionError("value-end")
 
     def named(self, word: str) -> Node:
+        place, before = self.places[self.at - 1], len(self.names)
         if self.accept("("):
             args = [self.expression()]
             while self.accept(","):
                 args.append(self.expression())
             self.close()
-            return Call(word, tuple(args), self.word() if self.accept(".") else None)
+            attribute = self.word() if self.accept(".") else None
+            if attribute is None:
+                self.names.append(NameAt(*place, "function"))
+            else:  # a signal: its arguments are elements
+                self.names[before:] = [name._replace(role="element") for name in self.names[before:]]
+            return Call(word, tuple(args), attribute)
+        owner = word
         while self.accept("."):
             word = f"{word}.{self.word()}"
+        self.names.append(NameAt(*place, "parameter" if word == owner else "element"))
         return Name(word)
 
     def word(self) -> str:

@@ -11,7 +11,7 @@ their own, such as positions, know what their numbers are (``quantities``). :mod
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 from typing import Any, NamedTuple
@@ -165,3 +165,28 @@ class Elsewhere:
 
 
 ELSEWHERE = Elsewhere()
+
+
+@dataclass(frozen=True)
+class Named:
+    """That a text is a name of a ``namespace``, or else has expressions of signals in it, from and to where ``parts``
+    tells. Whether there is such an element is looked at by the entry."""
+
+    namespace: str = ""
+    parts: Callable[[str], Iterable[tuple[int, int]]] | None = None
+
+
+@dataclass(frozen=True)
+class OwnScope:
+    """That the names and numbers within have a meaning there alone, and aren't found with those around."""
+
+
+OWN_SCOPE = OwnScope()
+
+
+@dataclass(frozen=True)
+class Declared:
+    """That the keys of a mapping are names of elements which it declares."""
+
+
+DECLARED = Declared()

@@ -26,6 +26,7 @@ from linkwright.kernels.motions import StatedMotion
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.kernels.tables import StatedTable
 from linkwright.model.mechanism import Mechanism
+from linkwright.model.placed_copies import PlacedCopy
 from linkwright.model.plane import LinkagePlane
 from linkwright.model.quantities import Quantities
 from linkwright.model.signals import Signal
@@ -51,6 +52,7 @@ class Compiled:
     plane: LinkagePlane | None = None  # where a sketch of three coordinates lies in the vehicle
     folder: Path | None = None  # where the files of its tables lie
     adjusted: Callable[[Array], Array] | None = None  # what is changed of all inputs before the program runs
+    copies: tuple[PlacedCopy, ...] = ()  # those of sub-assemblies that it has
     _kernels: dict[tuple[tuple[Named, ...], bool], Kernel] = field(default_factory=dict)
     _nodes: dict[tuple[Passage, tuple[Named, ...], bool], Array] = field(default_factory=dict, init=False)
     _kept: dict[object, Any] = field(default_factory=dict, init=False)

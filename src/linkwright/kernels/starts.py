@@ -29,7 +29,7 @@ def moved_starts(spelled: Spelled, quantities: Quantities, laws: Mapping[str, Dr
             off = math.remainder(off, 2 * math.pi)
         if not abs(off) > NEAR * (1.0 if dimension == u.ANGLE else abs(drawn)):
             continue
-        key = "start" if spelled.written.drives[name].start is not None else "position"
+        key = "start" if spelled.placed.drives[name].start is not None else "position"
         unit, size = quantities.drive_unit(name)
         data = {"name": name, "start": amount(quantities, starts[name], dimension)}
         data |= {"drawn": amount(quantities, drawn, dimension), "off": amount(quantities, abs(off), dimension)}

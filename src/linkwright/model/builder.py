@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from typing import Any, Self
 
 from linkwright.findings import Finding, ModelError
@@ -115,6 +116,31 @@ class Builder:
         return self._add_entry(
             "cylinders", name, _without_none(**{"from": start}, to=end, length=length, barrel=barrel, rod=rod)
         )
+
+    def subassembly(
+        self, name: str, content: Builder | Mapping[str, Any], ports: Iterable[str] = (), note: str | None = None
+    ) -> Self:
+        """Elements that are placed as copies (:meth:`copy`): those of another builder, whose units and title don't
+        count, or the sections as in a file. The ``ports`` are names that each copy is given."""
+        if isinstance(content, Builder):
+            self._twice += (replace(f, path=("subassemblies", name, *f.path)) for f in content._twice)
+            content = {key: entries for key, entries in content._data.items() if key not in _OF_FILES}
+        given = _without_none(note=note, ports=[*ports] or None)
+        return self._add_entry("subassemblies", name, {**given, **content})
+
+    def copy(
+        self,
+        name: str,
+        of: str,
+        join: Mapping[str, str] | None = None,
+        parameters: Mapping[str, Any] | None = None,
+        mirrored: bool = False,
+        at: Point = None,
+    ) -> Self:
+        """A copy of a sub-assembly: what each of its ports is joined to, other values of its parameters, whether it is
+        the mirror image, and the displacement of its points in the frame."""
+        data = {"of": of, "join": join, "parameters": parameters, "mirrored": mirrored or None, "at": at}
+        return self._add_entry("copies", name, _without_none(**data))
 
     def assembly(self, point: str, rule: Any) -> Self:
         """On which side a group is put together: ``("C", "left of B-D")``."""
@@ -280,6 +306,10 @@ class Builder:
             self._twice.append(Finding("builder.twice", (section, name), {"name": name}))
         entries[name] = _listed(entry)
         return self
+
+
+_OF_FILES = ("linkwright", "name", "units", "note", "source", "author", "revision")
+"""What a builder says of the file."""
 
 
 def _points(points: Points, more: Mapping[str, Point]) -> dict[str, Point]:

@@ -16,6 +16,7 @@ from linkwright.expressions.fields import FrozenDict, Name, Text, fault, frozen
 from linkwright.expressions.unknown import near
 from linkwright.expressions.written import describe, unexpected
 from linkwright.findings import Finding, ModelError, Term, capped
+from linkwright.model.copies import with_copies
 from linkwright.model.faults import findings_of
 from linkwright.model.input_files import read_at_most
 from linkwright.model.mechanism import MAX_ENTRIES, Mechanism, at_most
@@ -55,8 +56,9 @@ class Document(Mechanism):
     exports: Annotated[dict[Text, Options], _bound, freeze] = Field(default_factory=FrozenDict)
 
     def __repr__(self) -> str:
-        joints = sum(len(pin.links) - 1 for pin in pins(self).values()) + sum(1 for _ in self.joints_but_pins())
-        return f"<{type(self).__name__} {self.title!r}: links {len(self.links)}, joints {joints}>"
+        m = with_copies(self).mechanism
+        joints = sum(len(pin.links) - 1 for pin in pins(m).values()) + sum(1 for _ in m.joints_but_pins())
+        return f"<{type(self).__name__} {self.title!r}: links {len(m.links)}, joints {joints}>"
 
     __str__ = __repr__
 
@@ -106,8 +108,14 @@ def parse_document(data: dict[str, Any], source: Source | None = None) -> Docume
 
 def located(findings: Iterable[Finding], source: Source) -> list[Finding]:
     """Findings with the lines of their elements, in the file's order, notes last."""
-    found = [f if f.line else replace(f, line=source.line(f.path)) for f in findings]
+    found = [_located(finding, source) for finding in findings]
     return sorted(found, key=lambda finding: (finding.severity == "note", finding.line or 0))
+
+
+def _located(finding: Finding, source: Source) -> Finding:
+    if (other := finding.other) is not None and other.line is None:
+        finding = replace(finding, other=replace(other, line=source.line(other.path)))
+    return finding if finding.line else finding.located(source.line(finding.path))
 
 
 def load(path: str | Path) -> Document:
@@ -126,8 +134,8 @@ def load(path: str | Path) -> Document:
 
 def replaced(document: Document, parameters: Mapping[str, Any]) -> Document:
     """The document with other values of some parameters; see :meth:`Document.replace`."""
-    data = plain(document)
-    known, declared = data.setdefault("parameters", {}), with_sketch(in_plane(document).mechanism).parameters
+    data, placed = plain(document), with_copies(document)
+    declared = with_sketch(in_plane(placed.mechanism).mechanism).parameters
     unknown = [name for name in parameters if name not in declared]
     if unknown:
         raise ModelError(
@@ -135,6 +143,10 @@ def replaced(document: Document, parameters: Mapping[str, Any]) -> Document:
             for name in unknown
         )
     for name, value in parameters.items():
+        *owner, name = placed.parameter_path(name)
+        known = data
+        for key in owner:
+            known = known.setdefault(key, {})
         known[name] = {**entry, "value": value} if isinstance(entry := known.get(name), dict) else value
     made = parse_document(data)
     assert made is not None
@@ -151,11 +163,21 @@ def dump(document: Document) -> str:
 def plain(document: Document) -> dict[str, Any]:
     """The document as plain data, sections and keys in the order of the format."""
     data = document.model_dump(exclude_defaults=True, by_alias=True)
-    data["parameters"] = {
-        name: entry["value"] if set(entry) == {"value"} else entry for name, entry in data.get("parameters", {}).items()
-    }
+    for name, stated in data.get("subassemblies", {}).items():
+        head = {key: stated.pop(key) for key in ("note", "ports") if key in stated}
+        data["subassemblies"][name] = {**head, **_short(stated)}
+    data = _short(data)
     ordered = {"linkwright": VERSION, **{k: value for k, value in data.items() if value not in ({}, None)}}
     return json.loads(json.dumps(ordered))  # type: ignore[no-any-return]
+
+
+def _short(sections: dict[str, Any]) -> dict[str, Any]:
+    """Sections with the values of parameters alone, where nothing else is said of them."""
+    for holder in (sections, *sections.get("copies", {}).values()):
+        for name, entry in holder.get("parameters", {}).items():
+            if set(entry) == {"value"}:
+                holder["parameters"][name] = entry["value"]
+    return sections
 
 
 def save(document: Document, path: str | Path) -> None:

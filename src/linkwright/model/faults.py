@@ -46,7 +46,7 @@ _FOLLOWING = {
 
 def _without_followers(findings: list[Finding]) -> list[Finding]:
     """Findings without those that follow from others: from an element which there isn't, from a key of another name."""
-    elsewhere = {f.path[:2] for f in findings if f.code.startswith("element.")}
+    elsewhere = {_entry(f.path) for f in findings if f.code.startswith("element.")}
     keys = [f for f in findings if f.code in ("file.unknown-key", "file.kind")]
     renamed = {(f.path[:-1], name) for f in keys for name in f.data["near"].likely}
     entries = {path for path, _ in renamed}
@@ -54,11 +54,21 @@ def _without_followers(findings: list[Finding]) -> list[Finding]:
     def follows(f: Finding) -> bool:
         if f.code == "file.missing":
             return (f.path, f.data["name"]) in renamed
-        if f.path[:2] in elsewhere:
+        if _entry(f.path) in elsewhere:
             return f.code in {"file.unknown-key", *_FOLLOWING}
         return f.path in entries and f.code in _FOLLOWING
 
     return [f for f in findings if not follows(f)]
+
+
+def _inside(path: Path) -> Path:
+    """A place in the sections in which it stands: those of the file or of a sub-assembly."""
+    return path[2:] if path[:1] == ("subassemblies",) else path
+
+
+def _entry(path: Path) -> Path:
+    """The entry of a section in which a place lies."""
+    return path[: len(path) - len(_inside(path)) + 2]
 
 
 def _nested(path: Path, other: Path) -> bool:
@@ -83,9 +93,10 @@ def _finding(fault: Any, raw: Any, owner: Any) -> Finding:
     # A key that belongs to another kind of the same section is no element that is looked for elsewhere.
     elsewhere = kind == "extra_forbidden" and path and path[-1] not in keys_at(owner, path[:-1], raw)
     named = absent(path[-1], fault["input"]) if elsewhere else None
-    if kind in _WANTED and path[:1] == ("joints",):
+    section = _inside(path)[:1]
+    if kind in _WANTED and section == ("joints",):
         named = absent("type", fault["input"])
-    if named and (named[0] != "element.limits" or path[0] in ("joints", "cylinders")):  # limits are a study, too
+    if named and (named[0] != "element.limits" or {*section} & {"joints", "cylinders"}):  # limits are a study, too
         return Finding(named[0], path, {"name": named[1]})
     if (found := finding_of(fault, raw, owner)) is not None:
         return _with_section(found)
@@ -100,14 +111,15 @@ def _finding(fault: Any, raw: Any, owner: Any) -> Finding:
 def _with_section(found: Finding) -> Finding:
     """A finding on what should be entries by name, with an example of the section."""
     hint = found.data.get("hint")
-    if not isinstance(hint, Term) or hint.key != "term.mapping-as" or not {*found.path[:1]} & {*_SECTIONS}:
+    section = _inside(found.path)[:1]
+    if not isinstance(hint, Term) or hint.key != "term.mapping-as" or not {*section} & {*_SECTIONS}:
         return found
-    return replace(found, data={**found.data, "hint": Term(f"section-{found.path[0]}")})
+    return replace(found, data={**found.data, "hint": Term(f"section-{section[0]}")})
 
 
 _SECTIONS = (
     "units", "parameters", "links", "joints", "assembly", "drives", "loads", "measures", "require", "studies",
-    "exports",
+    "exports", "subassemblies", "copies",
 )  # fmt: skip
 """The sections of which the catalogue has an example."""
 

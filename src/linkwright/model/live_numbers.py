@@ -11,6 +11,7 @@ from linkwright.expressions.language import Name
 from linkwright.expressions.typed_fields import Path, Sign
 from linkwright.expressions.units import ANGLE, LENGTH, Dimension
 from linkwright.model.named_numbers import NamedNumbers
+from linkwright.model.number_places import of_copies
 from linkwright.model.number_spans import NumberSpan, number_spans
 from linkwright.model.tolerances import ClassName, full_tolerance
 from linkwright.model.walk import QuantityPlace
@@ -56,7 +57,7 @@ def live_numbers(named: NamedNumbers, text: str) -> list[LiveNumber]:
         found.append(
             {
                 "name": name,
-                "label": _label(span.path),
+                "label": _label(span.path) if name in named.numbers else name,
                 "path": [*span.path],
                 "value": named.quantities.parameters[name],
                 "unit": span.unit,
@@ -74,7 +75,10 @@ def live_numbers(named: NamedNumbers, text: str) -> list[LiveNumber]:
 
 
 def _label(path: Path) -> str:
-    """A place in short: without its section, unless that is all there is."""
+    """A place in short: without its section, unless that is all there is; of a sub-assembly's parameter the names."""
+    if of_copies(path):
+        path = tuple(key for key in path if key not in ("subassemblies", "copies", "parameters"))
+        return ".".join(map(str, path))
     return ".".join(str(key) for key in (path[1:] if len(path) > 2 or path[0] == "parameters" else path))
 
 
@@ -104,7 +108,7 @@ def _range(named: NamedNumbers, name: str, span: NumberSpan, sign: Sign) -> tupl
 def _tolerance(named: NamedNumbers, name: str) -> list[float] | None:
     """The limits of a parameter's tolerance (SI), where it has one."""
     value, dimension = named.quantities.parameters[name], named.quantities.dimensions.of(name)
-    stated = named.mechanism.parameters.get(name)
+    stated = named.quantities.mechanism.parameters.get(name)
     limits = full_tolerance(stated.tolerance).limits if stated is not None else None
     if isinstance(limits, ClassName):
         if dimension == LENGTH:

@@ -20,8 +20,8 @@ from linkwright.expressions.written import FrozenDict
 from linkwright.findings import Finding, raise_errors
 from linkwright.model.desugar import spell_out
 from linkwright.model.document import Document, plain
-from linkwright.model.mechanism import FRAME, Mechanism
-from linkwright.model.number_places import NumberPlace, data_at, literal, number_places
+from linkwright.model.mechanism import FRAME, Mechanism, scopes
+from linkwright.model.number_places import NumberPlace, data_at, literal, number_places, of_copies
 from linkwright.model.parts import Parameter
 from linkwright.model.quantities import Quantities
 from linkwright.model.walk import ExpressionPlace, references, written_sites
@@ -44,6 +44,11 @@ class WrittenNumber:
     dimension: Dimension
     value: float
     sign: Sign = Sign.ANY
+
+    @property
+    def is_parameter(self) -> bool:
+        """Whether it is the value of a sub-assembly's parameter, which copies share."""
+        return of_copies(self.path)
 
 
 @dataclass(frozen=True)
@@ -70,7 +75,8 @@ def named_numbers(m: Mechanism, uses: Uses | None = None, without: Container[str
     """A sound mechanism with each of its plain numbers as a parameter of the same value and unit; those of the sections
     ``without`` stay.
 
-    Their names (``n'12``) are ones that no file can give. These numbers stay: within arithmetic, of :data:`CONSTANT`
+    Their names (``n'12``) are ones that no file can give. The value of a sub-assembly's parameter is one for all copies
+    that give it no other. These numbers stay: within arithmetic, of :data:`CONSTANT`
     sections, zeros that put the axes of a moving link where they are, numbers whose dimension depends on that of other
     places, such as the wrap of a measure (they tell these in turn, in an order that a parameter would change), and
     those on which nothing depends once short forms are expanded.
@@ -79,7 +85,7 @@ def named_numbers(m: Mechanism, uses: Uses | None = None, without: Container[str
     """
     data = _data(m)
     gauges = _gauges(m)
-    places = [p for p in number_places(m, data) if p.path[0] not in without and _may_vary(p, gauges)]
+    places = [p for p in number_places(m, data) if p.section not in without and _may_vary(p, gauges)]
     named, names = _with_names(m, data, places), _names(places)
     quantities = _quantities(named, uses)
     used = {part.text for place in quantities.places for part in nodes(place.expression.node) if isinstance(part, Name)}
@@ -98,17 +104,20 @@ def _data(m: Mechanism) -> dict[str, Any]:
     """A mechanism as plain data that can be changed, with what is given and happens to be the default."""
     as_written = plain(m) if isinstance(m, Document) else m.model_dump(exclude_defaults=True, by_alias=True)
     data: dict[str, Any] = json.loads(json.dumps(as_written))
-    for site in written_sites(m, Context(m)):
-        entry, key, holder = site.context.entry, site.path[-1], data_at(data, site.path[:-1])
-        given = {type(entry).model_fields[name].alias or name for name in entry.model_fields_set}
-        if isinstance(holder, dict) and key not in holder and key in given and isinstance(site.written, Expression):
-            holder[key] = site.written.raw
+    for at, part in scopes(m):
+        for site in written_sites(part, Context(part)):
+            entry, key, holder = site.context.entry, site.path[-1], data_at(data, (*at, *site.path[:-1]))
+            given = {type(entry).model_fields[name].alias or name for name in entry.model_fields_set}
+            if isinstance(holder, dict) and key not in holder and key in given and isinstance(site.written, Expression):
+                holder[key] = site.written.raw
     return data
 
 
 def _may_vary(place: NumberPlace, gauges: Container[Path]) -> bool:
+    if of_copies(place.path):  # of the dimension that its uses tell
+        return True
     gauge = place.path in gauges and _is_zero(place.expression)
-    return place.path[0] not in CONSTANT and isinstance(place.wanted, Dimension) and not gauge
+    return place.section not in CONSTANT and isinstance(place.wanted, Dimension) and not gauge
 
 
 def _names(places: Sequence[NumberPlace]) -> dict[str, NumberPlace]:
@@ -138,6 +147,10 @@ def _gauges(m: Mechanism) -> set[Path]:
     """The zeros of moving links that say where their axes lie: the origin, the height of the point that the x axis goes
     through; of a link without such a point, the direction of lines on it. With other values the link would be the same
     in other axes."""
+    return {(*at, *path) for at, part in scopes(m) for path in _own_gauges(part)}
+
+
+def _own_gauges(m: Mechanism) -> set[Path]:
     found: set[Path] = set()
     turned: set[str] = set()  # links whose x axis goes through no second point
     for name, link in m.links.items():

@@ -16,7 +16,7 @@ from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Negative, Node, Number
 from linkwright.expressions.typed_fields import Context, Path, Scope, Sign
 from linkwright.expressions.written import Shortened, Written
-from linkwright.model.mechanism import Mechanism
+from linkwright.model.mechanism import Mechanism, scopes
 from linkwright.model.walk import QuantityPlace, written_sites
 
 _MARK = "number'"
@@ -41,6 +41,24 @@ class NumberPlace(NamedTuple):
     wanted: Wanted | None
     sign: Sign = Sign.ANY
 
+    @property
+    def section(self) -> str:
+        """The section in which it stands, of the file or of a sub-assembly."""
+        return str(self.path[2] if self.path[0] == "subassemblies" else self.path[0])
+
+
+def stands_for_number(name: str) -> bool:
+    """Whether a name is one of those that no file has, which are given to its numbers."""
+    return "'" in name
+
+
+def of_copies(path: Path) -> bool:
+    """Whether at a place stands the value of a parameter that all copies of a sub-assembly have which give it no other:
+    that of the sub-assembly itself, or what it gives to a copy within."""
+    inside = path[2:] if path[0] == "subassemblies" else ()
+    own = inside[:1] == ("parameters",) and len(inside) == 2
+    return own or (inside[:3:2] == ("copies", "parameters") and len(inside) == 4)
+
 
 def literal(node: Node) -> Number | None:
     """The number that an expression is, with its sign; ``None`` of arithmetic and names."""
@@ -51,7 +69,13 @@ def literal(node: Node) -> Number | None:
 
 def number_places(m: Mechanism, data: Mapping[str, Any]) -> Iterator[NumberPlace]:
     """All plain numbers of a mechanism with its short forms, in the order of its fields, as far as they stand in
-    ``data``."""
+    ``data``; then those of its sub-assemblies."""
+    for at, part in scopes(m):
+        for place in _places(part, data_at(data, at)):
+            yield place._replace(path=(*at, *place.path), data_path=(*at, *place.data_path))
+
+
+def _places(m: Mechanism, data: Any) -> Iterator[NumberPlace]:
     for site in written_sites(m, Context(m)):
         for index, (expression, of) in enumerate(site.parts):
             if of.scope not in _SCOPES or literal(expression.node) is None:
@@ -92,11 +116,11 @@ def _in_data(site: QuantityPlace, index: int, data: Any) -> tuple[Path, int, int
         return None
     if not isinstance(held, str):
         return (path, 0, len(str(held))) if held == expression.raw else None
-    span = _span(held, expression.text.strip(), expression if written is None else written, index)
+    span = span_of_part(held, expression.text.strip(), expression if written is None else written, index)
     return None if span is None else (path, *span)
 
 
-def _span(text: str, part: str, written: Written, index: int) -> tuple[int, int] | None:
+def span_of_part(text: str, part: str, written: Written, index: int) -> tuple[int, int] | None:
     """Where a part of a written value stands in its text: there another expression takes its place, and no other's."""
     wanted = [expression.text.strip() for expression, _ in written.quantities()]
     if index >= len(wanted) or wanted[index] != part:

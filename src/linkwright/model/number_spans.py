@@ -19,8 +19,10 @@ from linkwright.expressions.language import ExpressionError, Node, Number, parse
 from linkwright.expressions.typed_fields import Path
 from linkwright.expressions.units import PURE, Dimension, unit, unit_text
 from linkwright.expressions.written import FrozenDict
+from linkwright.model.copies import with_copies
 from linkwright.model.named_numbers import NamedNumbers
 from linkwright.model.number_places import NumberPlace, literal, number_places
+from linkwright.model.placed_copies import Placed
 from linkwright.model.yaml_text import read_text
 
 _NUMBER = re.compile(r"(?:[-+−]\s*)*(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
@@ -104,8 +106,9 @@ class NumberSpans:
     """The numbers of a model by the names of their parameters, as far as they stand in the ``text``.
 
     ``refused`` has the others, each with the reason: ``expression`` (arithmetic or another name is written),
-    ``derived`` (from a sketch), ``not-found`` (not in this text), ``form`` (in brackets, with escapes or over several
-    lines), ``unit`` (a zero without a unit, whose unit the file doesn't declare).
+    ``derived`` (from a sketch), ``shared`` (of all copies of a sub-assembly, and a number for itself), ``not-found``
+    (not in this text), ``form`` (in brackets, with escapes or over several lines), ``unit`` (a zero without a unit,
+    whose unit the file doesn't declare).
     """
 
     text: str
@@ -137,10 +140,11 @@ def number_spans(named: NamedNumbers, text: str) -> NumberSpans:
     lines = [0, *(match.end() for match in _BREAK.finditer(text))]
     spans: dict[str, NumberSpan] = {}
     refused: dict[str, str] = {}
-    for name, path, dimension in _numbers(named):
+    placed = with_copies(named.written)
+    for name, path, dimension in _numbers(named, placed):
         place = by_path.get(path)
         if place is None:
-            refused[name] = _missing(named, name)
+            refused[name] = _missing(named, placed, name)
             continue
         found = _found(text, offset, place, scalars)
         of = _unit(place.expression.node, dimension, named.quantities.declared)
@@ -157,22 +161,23 @@ def number_spans(named: NamedNumbers, text: str) -> NumberSpans:
     return NumberSpans(text, FrozenDict(spans), FrozenDict(refused))
 
 
-def _numbers(named: NamedNumbers) -> Iterator[tuple[str, Path, Dimension]]:
+def _numbers(named: NamedNumbers, placed: Placed) -> Iterator[tuple[str, Path, Dimension]]:
     """All numbers by name, each with its place in the model and its dimension: parameters first."""
+    given = {name: path for copy in reversed(placed.copies) for name, path in copy.given.items() if path[0] == "copies"}
     for name in named.quantities.parameters:
         if name not in named.numbers:
-            yield name, ("parameters", name), named.quantities.dimensions.of(name)
+            yield name, given.get(name, ("parameters", name)), named.quantities.dimensions.of(name)
     for name, number in named.numbers.items():
         yield name, number.path, number.dimension
 
 
-def _missing(named: NamedNumbers, name: str) -> str:
+def _missing(named: NamedNumbers, placed: Placed, name: str) -> str:
     """Why a number has no place in the data of a text."""
     if name in named.numbers:
         return "not-found"
     stated = named.written.parameters.get(name)
     if stated is None:
-        return "derived"
+        return "derived" if name not in placed.mechanism.parameters else "shared"
     return "expression" if literal(stated.value.node) is None else "not-found"
 
 

@@ -14,7 +14,7 @@ from typing import Any
 from linkwright import _version
 from linkwright.findings import ModelError
 from linkwright.model.input_files import read_beside
-from linkwright.model.mechanism import Mechanism
+from linkwright.model.mechanism import Mechanism, scopes
 
 DIGITS = 12
 """So many hex digits of a hash are shown to people."""
@@ -60,8 +60,9 @@ class Origin:
 
 
 def table_hashes(mechanism: Mechanism, folder: Path | None) -> dict[str, str]:
-    """The hashes of a mechanism's tables by file name, of those that can be read."""
-    return {name: hashed(content) for name, content in table_files(mechanism, folder).items()}
+    """The hashes of a mechanism's tables by file name, of those that can be read; also of those in sub-assemblies."""
+    files = (table_files(part, folder) for _, part in scopes(mechanism))
+    return {name: hashed(content) for found in files for name, content in found.items()}
 
 
 def table_files(mechanism: Mechanism, folder: Path | None) -> dict[str, bytes]:

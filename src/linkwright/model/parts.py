@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from typing import Annotated, Any, ClassVar, Literal
+from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import (
     BeforeValidator,
@@ -25,10 +25,12 @@ from linkwright.elements.fields import (
     TwoPoints,
     freeze,
 )
+from linkwright.elements.mirror import Mirror
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import (
     Expression,
     Frozen,
+    FrozenDict,
     LongText,
     Name,
     Position,
@@ -36,7 +38,7 @@ from linkwright.expressions.fields import (
     Text,
     Two,
 )
-from linkwright.expressions.typed_fields import Ends, Quantity, Ref, Sign, of_parameter
+from linkwright.expressions.typed_fields import DECLARED, Ends, Quantity, Ref, Sign, of_parameter
 from linkwright.expressions.written import Fault, Shortened, plain_number, unexpected
 from linkwright.findings import Joined
 from linkwright.model.tolerances import Tolerance
@@ -133,7 +135,7 @@ class _ByName:
 
 
 Points = Annotated[
-    dict[Name, PlaceOnLink],
+    dict[Annotated[Name, DECLARED], PlaceOnLink],
     BeforeValidator(_named),
     freeze,
     PlainSerializer(_points_as_written),
@@ -163,6 +165,15 @@ class Link(Frozen):
             yield "mass.incomplete", {"missing": Joined(missing)}
         if "mass" not in given and (about or "shape" in given):
             yield "mass.missing", {"given": Joined([*about, *(["shape"] if "shape" in given else [])])}
+
+    def mirrored(self, name: str, mirror: Mirror) -> Self:
+        """The same link seen in a mirror."""
+        points = {
+            point: at.mirrored() if isinstance(at, ByDistances) else mirror.position(name, at)
+            for point, at in self.points.items()
+        }
+        com = None if self.com is None else mirror.position(name, self.com)
+        return self.model_copy(update={"points": FrozenDict(points), "com": com})
 
     def place(self, number: Callable[[Expression, u.Dimension], Scalar], point: str) -> Pair:
         """The coordinates (m) of a point in the link's frame; ``number`` gives values in SI."""
@@ -198,6 +209,13 @@ class Joint(Frozen):
     joins: ClassVar[Mapping[str, tuple[Expression, ...]]] = {}
     kinks: ClassVar[tuple[str, ...]] = ()
     lifts: ClassVar[Mapping[str, str]] = {}
+
+    def mirrored(self, name: str, mirror: Mirror) -> Self:
+        """The same joint seen in a mirror: along its lines the travel stays as it is."""
+        if self.line is None:
+            return self
+        lines = tuple(mirror.line(link, line) for link, line in zip(self.links, self.line, strict=True))
+        return self.model_copy(update={"line": lines})
 
     @property
     def limits(self) -> Two | None:

@@ -50,6 +50,7 @@ KINDS: Mapping[str, ElementKind] = {
     "motor": ElementKind(lambda m: m.drives, "drives", "drive"),
     "law": ElementKind(lambda m: m.laws, "laws", "law"),
     "cam": ElementKind(lambda m: m.cams, "cams", "cam"),
+    "subassembly": ElementKind(lambda m: m.subassemblies, "subassemblies", "subassembly"),
     "window": ElementKind(lambda m: m.windows, "windows", "window"),
     "touching": ElementKind(
         lambda m: [

@@ -18,7 +18,17 @@ from pydantic import BaseModel, RootModel
 
 from linkwright.expressions.dimensions import Wanted
 from linkwright.expressions.fields import Expression, FrozenDict, Written
-from linkwright.expressions.typed_fields import Context, Elsewhere, Path, Quantity, Ref, Scope
+from linkwright.expressions.typed_fields import (
+    Context,
+    Declared,
+    Elsewhere,
+    Named,
+    OwnScope,
+    Path,
+    Quantity,
+    Ref,
+    Scope,
+)
 from linkwright.expressions.units import Dimension
 from linkwright.expressions.written import Shortened
 
@@ -66,44 +76,55 @@ class Reference(NamedTuple):
 
 
 @dataclass(frozen=True)
-class _Spec:
+class Spec:
     """What an annotation says: of the values of these ``kinds``, of the keys and the values within them."""
 
     kinds: tuple[type, ...] = ()
     quantity: Quantity | None = None
     ref: Ref | None = None
-    key: _Spec | None = None
-    inner: tuple[_Spec, ...] = ()
+    key: Spec | None = None
+    inner: tuple[Spec, ...] = ()
     form: Literal["value", "union", "items", "list", "mapping"] = "value"
     elsewhere: bool = False
+    declared: bool = False
+    named: Named | None = None
 
     @property
     def has_typed_values(self) -> bool:
         """Whether what it describes may hold quantities or names."""
-        if self.ref is not None or self.quantity is not None or self.key is not None:
+        if any(said is not None for said in (self.ref, self.quantity, self.key, self.named)) or self.declared:
             return True
         return any(issubclass(kind, BaseModel | Written) for kind in self.kinds) or any(
             s.has_typed_values for s in self.inner
         )
 
-    def branch(self, value: Any) -> _Spec:
+    def branch(self, value: Any) -> Spec:
         """Of a union, what it says of a value of that kind."""
         return next((spec for spec in self.inner if isinstance(value, spec.kinds)), _NOTHING)
 
-    def item(self, index: int) -> _Spec:
+    def item(self, index: int) -> Spec:
         """What it says of an item."""
         return self.inner[index if self.form == "items" else 0] if self.inner else _NOTHING
 
 
-_NOTHING = _Spec()
+_NOTHING = Spec()
 
 
-def _spec(annotation: Any, metadata: Any = ()) -> _Spec:
+def _spec(annotation: Any, metadata: Any = ()) -> Spec:
     origin, args = get_origin(annotation), get_args(annotation)
     if origin is Annotated:
         return _spec(args[0], (*metadata, *args[1:]))
     said = {type(one): one for one in metadata}
-    made = partial(_Spec, quantity=said.get(Quantity), ref=said.get(Ref), elsewhere=Elsewhere in said)
+    if OwnScope in said:
+        return _NOTHING
+    made = partial(
+        Spec,
+        quantity=said.get(Quantity),
+        ref=said.get(Ref),
+        elsewhere=Elsewhere in said,
+        declared=Declared in said,
+        named=said.get(Named),
+    )
     if origin in (Union, types.UnionType):
         inner = tuple(_spec(arg) for arg in args if arg is not type(None))
         return made(tuple(kind for spec in inner for kind in spec.kinds), inner=inner, form="union")
@@ -118,14 +139,14 @@ def _spec(annotation: Any, metadata: Any = ()) -> _Spec:
 
 
 @cache
-def _fields(entry: type[BaseModel]) -> dict[str, tuple[str, _Spec]]:
+def _fields(entry: type[BaseModel]) -> dict[str, tuple[str, Spec]]:
     """The fields of an entry that may hold quantities or names: by their keys in the file the attribute, and what they
     hold."""
-    return {key: held for key, held in _all_fields(entry).items() if not held[1].elsewhere}
+    return {key: held for key, held in all_fields(entry).items() if not held[1].elsewhere}
 
 
 @cache
-def _all_fields(entry: type[BaseModel]) -> dict[str, tuple[str, _Spec]]:
+def all_fields(entry: type[BaseModel]) -> dict[str, tuple[str, Spec]]:
     """The same with those whose values are stated elsewhere too."""
     every = {of.alias or name: (name, _spec(of.annotation, of.metadata)) for name, of in entry.model_fields.items()}
     return {key: (name, spec) for key, (name, spec) in every.items() if spec.has_typed_values}
@@ -165,7 +186,7 @@ def references(entry: BaseModel, context: Context, *keys: str) -> Iterator[Refer
 
 def _entry(entry: BaseModel, at: Context, of: Quantity | None, found: list[Found], keys: Sequence[str] = ()) -> None:
     inside = Context(at.mechanism, at.path, (*at.entries, entry))
-    fields = (_all_fields if isinstance(found, _Everything) else _fields)(type(entry))
+    fields = (all_fields if isinstance(found, _Everything) else _fields)(type(entry))
     for key in keys or fields:
         name, spec = fields[key]
         if (value := getattr(entry, name)) is not None:
@@ -174,7 +195,7 @@ def _entry(entry: BaseModel, at: Context, of: Quantity | None, found: list[Found
             _walk(value, inside if main else inside.child(key), spec, of, None, found)
 
 
-def _walk(value: Any, at: Context, spec: _Spec, of: Quantity | None, ref: Ref | None, found: list[Found]) -> None:
+def _walk(value: Any, at: Context, spec: Spec, of: Quantity | None, ref: Ref | None, found: list[Found]) -> None:
     """Add what a value holds; ``of`` and ``ref`` are what is said around it."""
     while spec.form == "union":
         of, ref, spec = spec.quantity or of, spec.ref or ref, spec.branch(value)

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from pydantic import BeforeValidator, Field
 
 from linkwright.expressions.fields import Expression, FrozenDict, fault, parse_text
+from linkwright.expressions.typed_fields import Named
 from linkwright.expressions.written import Fault, short_text
 from linkwright.findings import Said
 from linkwright.reductions.derivative import Derivative
@@ -63,12 +64,18 @@ def _where(raw: Any) -> str:
     return text
 
 
+def _expressions(text: str) -> list[tuple[int, int]]:
+    """Where the expressions of an instant stand in its text."""
+    match = _INSTANT.match(text)
+    return [match.span(key) for key in ("of", "signal", "level") if match and match[key]]
+
+
 class ValueEntry(Measure):
     """The value of a signal at one instant."""
 
     reduction = "value"
     value: Annotated[Expression, SIGNAL]
-    where: Annotated[str, BeforeValidator(_where)] = Field(
+    where: Annotated[str, BeforeValidator(_where), Named(parts=_expressions)] = Field(
         examples=["max E.x", "min E.x", "motor.angle = 24 deg", "start", "end"]
     )
 

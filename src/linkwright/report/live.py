@@ -8,6 +8,7 @@ the nominal parameters alone.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +21,7 @@ from linkwright.graph.power_rows import PowerRow
 from linkwright.kernels.page_programs import PagePrograms, page_programs
 from linkwright.measures import live_measures, live_rows
 from linkwright.model.conditions import Condition
-from linkwright.model.desugar import with_file_paths
+from linkwright.model.desugar import file_paths
 from linkwright.model.document import Document
 from linkwright.model.live_numbers import live_numbers
 from linkwright.model.named_numbers import NamedNumbers, named_numbers
@@ -121,7 +122,8 @@ def live_data(
 def _places(document: Document, named: NamedNumbers, conditions: Sequence[Condition]) -> list[str]:
     """The places of conditions in the file, as findings have them."""
     findings = named.with_file_paths(condition.finding for condition in conditions)
-    return [finding.element for finding in with_file_paths(document, findings)]
+    paths = file_paths(document, (finding.path for finding in findings))
+    return [replace(finding, path=path).element for finding, path in zip(findings, paths, strict=True)]
 
 
 def _scales(rows: Sequence[Array], kinds: Sequence[object]) -> list[float]:
@@ -160,7 +162,7 @@ def _numbers(made: PagePrograms, named: NamedNumbers, text: str) -> tuple[list[L
                 "scale": float(f"{scales.get(dimension, abs(one['value']) or one['size']):.3g}"),
                 "unit": printed(one["unit"]),
                 "size": one["size"],
-                "named": name not in named.numbers and name in stated,
+                "named": named.numbers[name].is_parameter if name in named.numbers else name in stated,
                 "locked": "" if why is None else why.said("what"),
                 "line": lines.setdefault(one["line"], len(lines)),
                 "start": one["start"],

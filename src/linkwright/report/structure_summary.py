@@ -48,6 +48,9 @@ def facts(compiled: Compiled) -> list[Fact]:
     lone = [point for point in compiled.quantities.signals.links_of_points if point not in pinned]
     if lone:
         lines.append(_fact("lone", Said("fact.lone.text", points=Joined(lone))))
+    if copies := [copy for copy in compiled.copies if copy.path[0] == "copies"]:
+        said = (Said("fact.copy", name=str(copy.path[1]), of=copy.of) for copy in copies)
+        lines.append(_fact("copies", Joined(said, CLAUSES)))
     if compiled.plane is not None:
         lines.append(_fact("plane", _plane(compiled, compiled.plane)))
     if m.sketch:

@@ -8,12 +8,13 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 
 from linkwright.expressions.fields import AssemblyRule, Expression, Frozen, LineOn, Name
-from linkwright.expressions.typed_fields import ELSEWHERE, Quantity, Ref, Sign
+from linkwright.expressions.typed_fields import ELSEWHERE, Named, Quantity, Ref, Sign
 from linkwright.expressions.units import ANGLE, LENGTH
 from linkwright.expressions.written import Fault
 from linkwright.findings import Joined
 
 _RADIUS = Quantity(LENGTH, Sign.POSITIVE, "radius")
+PointOfFollower = Annotated[Name | None, Named("element")]
 
 
 class Second(Frozen):
@@ -22,7 +23,7 @@ class Second(Frozen):
 
     base: Annotated[Expression | None, _RADIUS] = None
     roller: Annotated[Expression | None, _RADIUS] = None
-    at: Name | None = None
+    at: PointOfFollower = None
     face: LineOn | None = None
 
     @classmethod
@@ -48,8 +49,8 @@ class Cam(Frozen):
     phase: Annotated[Expression, Quantity(ANGLE)] = Expression(0)
     sense: Literal["counter-clockwise", "clockwise"] | None = None
     roller: Annotated[Expression | None, _RADIUS] = None
-    at: Name | None = None
-    knife: Name | None = None
+    at: PointOfFollower = None
+    knife: PointOfFollower = None
     face: LineOn | None = None
     side: Annotated[AssemblyRule | None, ELSEWHERE] = None
     closed: Literal["force", "groove", "conjugate", "yoke"] = "force"

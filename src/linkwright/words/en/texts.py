@@ -8,6 +8,8 @@ TEXTS: dict[str, str] = {
     "term.colon": "{first}: {then}",
     "term.with-unit": "{name}, {unit}",
     # Structure, for `check` and the report.
+    "fact.copies": "Copies",
+    "fact.copy": "{name} of the sub-assembly {of}",
     "fact.links": "Links",
     "fact.links.text": "{moving} moving links and the frame: {names}",
     "fact.pins": "Revolute joints",

@@ -8,6 +8,8 @@ TEXTS: dict[str, str] = {
     "term.colon": "{first}：{then}",
     "term.with-unit": "{name}（{unit}）",
     # Structure, for `check` and the report.
+    "fact.copies": "副本",
+    "fact.copy": "{name}（子装配 {of}）",
     "fact.links": "构件",
     "fact.links.text": "活动构件 {moving} 个（{names}），另有机架",
     "fact.pins": "转动副",

@@ -11,6 +11,7 @@ _EXAMPLES = {
     "direction": "Example: [0, 1, 0]",
     "points": "Example: {{A: [0, 0], B: [60, 0]}}",
     "side-of": "Example: left of A-B, seen from A to B",
+    "ports": "Example: [A, B]",
     "position": "Examples: [120, 0], 120 at 30 deg; numbers have a decimal point",
     "place": "Examples: B, [120, 0]",
     "line": "Example: G at 90 deg",
@@ -58,6 +59,8 @@ _SECTIONS = {
     "measures": "Example: measures: {{swing: {{span: rocker.angle}}}}",
     "require": "Example: require: {{swing: '>= 60 deg'}}",
     "studies": "Example: studies: {{cycle: {{turns: 1 motor}}}}",
+    "subassemblies": "Example: subassemblies: {{leg: {{ports: [A], links: {{bar: {{points: {{A: [0, 0], C: [90, 0]}}}}}}}}}}",
+    "copies": "Example: copies: {{left: {{of: leg, join: {{A: crank_pin}}}}}}",
     "exports": "Example: exports: {{mjcf: {{duration: 2 s}}}}",
 }
 TERMS = {f"{wanted}-as": text for wanted, text in _EXAMPLES.items()} | {

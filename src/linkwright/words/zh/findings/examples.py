@@ -11,6 +11,7 @@ _EXAMPLES = {
     "direction": "示例：[0, 1, 0]",
     "points": "示例：{{A: [0, 0], B: [60, 0]}}",
     "side-of": "示例：“left of A-B”（从 A 向 B 看，位于左侧）",
+    "ports": "示例：[A, B]",
     "position": "示例：[120, 0]、120 at 30 deg；小数点用“.”表示",
     "place": "示例：B、[120, 0]",
     "line": "示例：G at 90 deg",
@@ -58,6 +59,8 @@ _SECTIONS = {
     "measures": "示例：measures: {{swing: {{span: rocker.angle}}}}",
     "require": "示例：require: {{swing: '>= 60 deg'}}",
     "studies": "示例：studies: {{cycle: {{turns: 1 motor}}}}",
+    "subassemblies": "示例：subassemblies: {{leg: {{ports: [A], links: {{bar: {{points: {{A: [0, 0], C: [90, 0]}}}}}}}}}}",
+    "copies": "示例：copies: {{left: {{of: leg, join: {{A: crank_pin}}}}}}",
     "exports": "示例：exports: {{mjcf: {{duration: 2 s}}}}",
 }
 TERMS = {f"{wanted}-as": text for wanted, text in _EXAMPLES.items()} | {
