@@ -285,10 +285,11 @@ def test_many_samples_are_those_of_each_alone(folder: Path) -> None:
                 assert values == pytest.approx(figures, rel=1e-9), name
 
 
-def test_many_samples_and_accuracies(folder: Path) -> None:
-    """Sweeps of the gap and the preload on every kernel, and slopes, by the closed form and its differences."""
+@pytest.mark.parametrize("kernels", [["numpy", "llvm"], pytest.param([], marks=pytest.mark.long)], ids=["two", "every"])
+def test_many_samples_and_accuracies(folder: Path, kernels: list[str]) -> None:
+    """Sweeps of the gap and the preload on kernels, and slopes, by the closed form and its differences."""
     write(folder, without("cycle", "sweep", "accuracy"))
-    done = python(folder, "-c", SCRIPT)
+    done = python(folder, "-c", SCRIPT, *kernels)
     assert done.returncode == 0, done.stderr
     told, t = json.loads(done.stdout), np.linspace(0, 1, 41)
     samples = [(0.058, 0.0), (0.06, 50.0), (0.063, 40.0)]
