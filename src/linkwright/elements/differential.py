@@ -131,7 +131,7 @@ class Differential(JointKind):
     """Shafts whose angles keep a linear relation."""
 
     name = "differential"
-    letter = "D"
+    letter = "Y"
     row_units = ("angle",)
     entry = DifferentialEntry
     phased = True
