@@ -37,6 +37,7 @@ CHOSEN = (
     "class_four",
     "conjugate_cam",
     "jansen_leg",
+    "pick_and_place",
     "planetary_train",
     "sauer_platform",
     "scotch_yoke",

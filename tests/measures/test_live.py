@@ -52,6 +52,8 @@ ROUGH: dict[tuple[str, str], tuple[float, str]] = {
     ("paper_feeder_dwell.yaml", "power_max"): (3e-5, "a drive that moves within 0.25 s of 2 s"),
     ("paper_feeder_dwell.yaml", "speed_max"): (3e-6, "a drive that moves within 0.25 s of 2 s"),
     ("paper_feeder_dwell.yaml", "torque_rms"): (5e-6, "a drive that moves within 0.25 s of 2 s"),
+    ("walker_legs.yaml", "left_ground"): (1e-5, "a change from one foot to another, between samples"),
+    ("walker_legs.yaml", "right_ground"): (1e-5, "a change from one foot to another, between samples"),
 }
 """Of signals that 400 steps don't resolve so well: how near, and why."""
 ABSENT = {("parallelogram.yaml", "lag"): "the difference of two angles in an abs, of which one jumps by a turn"}

@@ -72,6 +72,7 @@ def test_slots_follow_a_change(show: Any, tmp_path: Path, example: str, changes:
 def test_a_geneva_drive_follows_a_change(show: Any) -> None:
     """Wheel, locking disc and pin for another centre distance are those of Python, without a rest."""
     document = lw.load(EXAMPLES / "geneva_drive.yaml")
+    document = document.model_copy(update={"studies": {"cycle": document.studies["cycle"]}})
     text = (EXAMPLES / "geneva_drive.yaml").read_text(encoding="utf-8")
     view = show(report_data(document, lw.run(document).outcomes, text=text))
     before = view.page.evaluate(OUTLINES)
