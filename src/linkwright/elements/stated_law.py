@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression
@@ -18,10 +18,11 @@ Bind = Callable[[Expression, Dimension], Node]
 class StatedLaw:
     """What entries with the keys ``speed``, ``start``, ``acceleration`` or ``position`` share."""
 
-    start: Expression | None
-    speed: Expression | None
-    acceleration: Expression | None
-    position: Expression | None
+    if TYPE_CHECKING:  # entries have these among their own fields, in their order
+        speed: Expression | None
+        start: Expression | None
+        acceleration: Expression | None
+        position: Expression | None
 
     @staticmethod
     def law_faults(given: Mapping[str, Any]) -> Iterator[Fault]:
