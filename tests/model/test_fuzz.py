@@ -5,6 +5,8 @@ from __future__ import annotations
 import random
 import re
 import warnings
+from collections.abc import Iterable
+from pathlib import Path
 
 import pytest
 from hypothesis import given, settings
@@ -14,6 +16,7 @@ from linkwright.compilation import examine
 from linkwright.model.document import Document, located, read_document
 from model.given import DATA
 
+EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.yaml"))
 FILES = [path.read_text(encoding="utf-8") for path in sorted(DATA.glob("*.yaml"))]
 TOKEN = re.compile(r"\w+|[0-9.]+|\S|\s+")
 WORDS = re.compile(r"[^\W\d]\w*")
@@ -98,20 +101,32 @@ def survives(raw: bytes) -> bool:
     return compiled is not None
 
 
-@pytest.mark.parametrize("seed", range(10))
-def test_mutated_files(seed: int) -> None:
-    """A hundred files a seed; warnings of NumPy and others count as failures."""
-    random_ = random.Random(seed)
-    sound = 0
-    for _ in range(100):
-        text = mutated(random_, random_.choice(FILES))
+def every_one_survives(texts: Iterable[str]) -> list[bool]:
+    """Whether each of some files is sound; warnings of NumPy and others count as failures."""
+    found = []
+    for text in texts:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             try:
-                sound += survives(text.encode())
+                found.append(survives(text.encode()))
             except Exception as error:
                 raise AssertionError(f"{type(error).__name__} for the file:\n{text}") from error
-    assert sound < 100
+    return found
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_mutated_files(seed: int) -> None:
+    """A hundred files a seed."""
+    random_ = random.Random(seed)
+    assert not all(every_one_survives(mutated(random_, random_.choice(FILES)) for _ in range(100)))
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_mutated_examples(path: Path) -> None:
+    """Every example 60 times, more than 3 000 files in all."""
+    text, random_ = path.read_text(encoding="utf-8"), random.Random(path.stem)
+    assert not all(every_one_survives(mutated(random_, text) for _ in range(60)))
 
 
 @given(st.binary(max_size=300))
