@@ -128,7 +128,7 @@ def outline(
     made = Disc(_follower(drive, here, lambda value: value), lambda _: lift, mirror * sense(geometry, drive))
     pitch, normal, *_ = made.envelope(angle, made.follower.held(lift + here.start))
     way = here.pivot.minus(here.shaft) if here.turns else Pair(here.way.y, -here.way.x)
-    size = call("sqrt", way.dot(way))
+    size = way.length
     turn = sense(geometry, drive) * geometry.number(drive.cam.phase, u.ANGLE)
     shaft, found = geometry.point(drive.cam.cam, drive.shaft[0]), []
     for flank in flanks:

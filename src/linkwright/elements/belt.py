@@ -99,7 +99,7 @@ class BeltEntry(WheelsEntry):
         if first is None or second is None:
             return
         away = places.point(self.carrier, second).minus(places.point(self.carrier, first))
-        distance, sizes = call("sqrt", away.dot(away)), self.sizes(places)
+        distance, sizes = away.length, self.sizes(places)
         texts = {"distance": places.text_of(distance, u.LENGTH), "radii": places.text_of(sizes[0] + sizes[1], u.LENGTH)}
         yield distance - sizes[0] - sizes[1], Sign.POSITIVE, ("belt.distance", texts, "centres")
 

@@ -173,7 +173,7 @@ class Differential(JointKind):
                 continue
             centre = geometry.point(link, pin)
             away = geometry.point(link, other).minus(centre)
-            size = call("sqrt", away.dot(away)) * DRAWN / call("abs", weight / weights[0])
+            size = away.length * DRAWN / call("abs", weight / weights[0])
             found += spoked(link, centre, size)
         return found
 

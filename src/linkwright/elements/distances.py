@@ -121,7 +121,7 @@ class ByDistances(Frozen):
         start, end = (point(name) for name in self.side.points)
         a, b = self.sides(number)
         base = end.minus(start)
-        c = call("sqrt", base.dot(base))
+        c = base.length
         least = FLAT * (a + b + c)
         return (a, b, c), (c - least, b + c - a - least, c + a - b - least, a + b - c - least)
 

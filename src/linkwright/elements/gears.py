@@ -141,7 +141,7 @@ class GearsEntry(WheelsEntry):
             return
         first, second = (places.point(self.carrier, str(point)) for point in ends)
         away = second.minus(first)
-        distance = call("sqrt", away.dot(away))
+        distance = away.length
         data = {"carrier": self.carrier, "distance": places.text_of(distance, u.LENGTH)}
         yield distance, Sign.POSITIVE, ("gears.concentric", data, "centres")
         if self.radii is not None:

@@ -79,7 +79,7 @@ class PointPath(StatedLaw, Frozen):
         if self.line is not None:
             start, end = (_place(of, value) for of in self.line)
             away = end.minus(start)
-            yield call("sqrt", away.dot(away)), Sign.POSITIVE, ("path.no-length", {}, "line")
+            yield away.length, Sign.POSITIVE, ("path.no-length", {}, "line")
 
     def coordinate(self, bind: Bind, across: bool) -> Node:
         """x, or ``across`` y, in the axes of ``on`` (m), as a tree in t."""

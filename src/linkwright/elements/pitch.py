@@ -168,7 +168,7 @@ class InnerWheels(Inner):
     def unit(self, a: Body, b: Body) -> tuple[Pair, Pair]:
         """The direction from the first centre to the second, and across it to the left."""
         away = self.apart(a, b).now
-        size = call("sqrt", away.dot(away))
+        size = away.length
         along = Pair(away.x / size, away.y / size)
         return along, along.perp
 
@@ -202,7 +202,7 @@ class WheelsKind(JointKind):
         (a, b), (at, to) = entry.wheels, entry.centres
         first, second = entry.carrier_points(geometry.mechanism)
         line = geometry.point(entry.carrier, second).minus(geometry.point(entry.carrier, first))
-        distance = call("sqrt", line.dot(line))
+        distance = line.length
         return Pitch((geometry.point(a, at), geometry.point(b, to)), self.radii(geometry, joint, distance), line)
 
     def inner(self, geometry: JointGeometry, joint: str, links: Sequence[str]) -> InnerWheels:

@@ -184,7 +184,7 @@ class OnCircle(Inner):
     def touch(self, a: Body, b: Body) -> Touch:
         start = b.point(self.base).now
         away = a.point(self.centre).now.minus(start)
-        size = call("sqrt", away.dot(away))
+        size = away.length
         out = call("sign", self.apart)
         along = Pair(out * away.x / size, out * away.y / size)  # from the circle's centre to where they touch
         push = Pair(self.rho * along.x * out, self.rho * along.y * out)

@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from linkwright.elements import InnerLine, InnerPin, OuterLine, OuterPin
 from linkwright.graph.motion import Motion
 from linkwright.graph.placing import driven_body, inner_joint, outer_joint
-from linkwright.groups.dyad import length
 from linkwright.notation import Body, Jet, Pair, Scalar
 from linkwright.notation.jets import is_zero
 from linkwright.structure import Connection, HigherGroup
@@ -133,7 +132,7 @@ class Equation:
     @property
     def leg_length(self) -> Scalar:
         """The leg's length between its joints (m)."""
-        return length(self.arm)
+        return self.arm.length
 
     def place(self, platform: Body) -> Body:
         """The leg's first link at a pose of the platform."""
@@ -213,6 +212,6 @@ EQUATIONS: dict[tuple[bool, bool], type[Equation]] = {
 
 def unit(v: Pair) -> Pair:
     """The unit vector along a pair."""
-    size = length(v)
+    size = v.length
     size = 1.0 if is_zero(size) else size
     return Pair(v.x / size, v.y / size)

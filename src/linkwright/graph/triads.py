@@ -25,7 +25,6 @@ from linkwright.graph.geometry import ZERO
 from linkwright.graph.legs import EQUATIONS, CircleLeg, Fixed, Linear, Row, Triad
 from linkwright.graph.motion import Motion
 from linkwright.graph.placing import outer_joint
-from linkwright.groups.dyad import length
 from linkwright.notation import Body, Pair, Scalar
 from linkwright.structure import HigherGroup
 
@@ -68,7 +67,7 @@ class TriadSystem:
     @cached_property
     def size(self) -> float:
         """The largest length, of numbers."""
-        return max([e.leg_length for e in self.every] + [length(e.base.minus(self.origin)) for e in self.every]) or 1.0
+        return max([e.leg_length for e in self.every] + [e.base.minus(self.origin).length for e in self.every]) or 1.0
 
     def rows(self, c: Scalar, s: Scalar, size: float = 1.0) -> list[Row]:
         """Linear equations (a, b, c) of the place over a size, from the origin, at a platform's cosine and sine."""

@@ -53,7 +53,7 @@ class Root:
 def _normalised(coordinate: Coordinate) -> Coordinate:
     if not isinstance(coordinate, Pair):
         return coordinate
-    size = length(coordinate)
+    size = coordinate.length
     return Pair(coordinate.x / size, coordinate.y / size)
 
 
@@ -211,11 +211,6 @@ def root_of(radicand: Scalar, scale: Scalar, nearest: bool = False) -> Scalar:
     if isinstance(radicand, float) and -SLACK * scale < radicand < 0:
         return 0.0
     return call("sqrt", radicand)
-
-
-def length(v: Pair) -> Scalar:
-    """The length of a pair."""
-    return call("sqrt", v.dot(v))
 
 
 def pointing(arm: Pair, local: Pair) -> Pair:

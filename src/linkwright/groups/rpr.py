@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from linkwright.elements import InnerLine
-from linkwright.groups.dyad import SLACK, Dyad, Root, length, pin, register, root_of
+from linkwright.groups.dyad import SLACK, Dyad, Root, pin, register, root_of
 from linkwright.notation import Body, Pair, Scalar
 
 
@@ -50,7 +50,7 @@ class RPR(Dyad):
 
     def span(self) -> Scalar:
         """The distance of the outer pins: where they meet, the sliding line may point anywhere."""
-        return length(pin(self.second).base.now.minus(pin(self.first).base.now))
+        return pin(self.second).base.now.minus(pin(self.first).base.now).length
 
     def scale(self, a: Body, b: Body) -> Scalar:
         return self.span()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from linkwright.elements import InnerPin
-from linkwright.groups.dyad import SLACK, Dyad, Root, length, line, pin, pointing, register, root_of
+from linkwright.groups.dyad import SLACK, Dyad, Root, line, pin, pointing, register, root_of
 from linkwright.notation import Body, Pair, Scalar
 
 
@@ -27,7 +27,7 @@ class RRP(Dyad):
         return Root(pointing(to_pin, arm), ahead - behind, radicand / square)
 
     def shortfall(self) -> tuple[float, float] | None:
-        radius, (_, aside) = length(self.inner.first.minus(pin(self.first).foot)), self._start()
+        radius, (_, aside) = self.inner.first.minus(pin(self.first).foot).length, self._start()
         return (abs(aside), radius) if abs(aside) > radius * (1 + SLACK) else None
 
     def radicand(self) -> Scalar:
@@ -44,4 +44,4 @@ class RRP(Dyad):
         return d.dot(start), d.cross(start)
 
     def scale(self, a: Body, b: Body) -> Scalar:
-        return length(self.inner.first.minus(pin(self.first).foot))
+        return self.inner.first.minus(pin(self.first).foot).length

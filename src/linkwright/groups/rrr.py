@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from linkwright.elements import InnerPin
-from linkwright.groups.dyad import SLACK, Dyad, Root, length, pin, pointing, register, root_of
+from linkwright.groups.dyad import SLACK, Dyad, Root, pin, pointing, register, root_of
 from linkwright.notation import Body, Pair, Scalar
 
 
@@ -22,10 +22,10 @@ class RRR(Dyad):
         first, second = pin(self.first), pin(self.second)
         arm1, arm2 = self.inner.first.minus(first.foot), self.inner.second.minus(second.foot)
         r1, r2 = arm1.dot(arm1), arm2.dot(arm2)
-        l1, l2 = length(arm1), length(arm2)
+        l1, l2 = arm1.length, arm2.length
         base = second.base.now.minus(first.base.now)
         square = base.dot(base)
-        d = length(base)
+        d = base.length
         # Heron's product and each arm from its own pin: a short arm keeps its digits beside a long one.
         along1 = 0.5 * (r1 + (d - l2) * (d + l2)) / square
         along2 = 0.5 * (r2 + (d - l1) * (d + l1)) / square
@@ -37,15 +37,15 @@ class RRR(Dyad):
 
     def shortfall(self) -> tuple[float, float] | None:
         first, second = pin(self.first), pin(self.second)
-        r1, r2 = length(self.inner.first.minus(first.foot)), length(self.inner.second.minus(second.foot))
-        distance = length(second.base.now.minus(first.base.now))
+        r1, r2 = self.inner.first.minus(first.foot).length, self.inner.second.minus(second.foot).length
+        distance = second.base.now.minus(first.base.now).length
         if distance > (r1 + r2) * (1 + SLACK):
             return distance, r1 + r2
         return (distance, abs(r1 - r2)) if distance < abs(r1 - r2) * (1 - SLACK) else None
 
     def radicand(self) -> Scalar:
         first, second = pin(self.first), pin(self.second)
-        r1, r2 = length(self.inner.first.minus(first.foot)), length(self.inner.second.minus(second.foot))
+        r1, r2 = self.inner.first.minus(first.foot).length, self.inner.second.minus(second.foot).length
         base = second.base.now.minus(first.base.now)
         longest = (r1 + r2) ** 2
         return (longest - base.dot(base)) * (base.dot(base) - (r1 - r2) ** 2) / longest
@@ -53,4 +53,4 @@ class RRR(Dyad):
     def scale(self, a: Body, b: Body) -> Scalar:
         arm1 = self.inner.first.minus(pin(self.first).foot)
         arm2 = self.inner.second.minus(pin(self.second).foot)
-        return length(arm1) * length(arm2)
+        return arm1.length * arm2.length

@@ -26,10 +26,19 @@ def cell(value: float | int) -> str:
 
 def numbers_text(header: list[str], columns: Iterable[NDArray[Any]]) -> str:
     """A table of numbers alone, from its columns; a cell is blank where a number isn't finite."""
+    return _written(header, zip(*map(_blanked, columns), strict=True))  # numbers are written as `cell` has them
+
+
+def table_text(header: list[str], rows: Iterable[list[str]]) -> str:
+    """The whole table; no cell but a number begins as a formula does."""
+    return _written(header, (map(escape.cell, row) for row in rows))
+
+
+def _written(header: list[str], rows: Iterable[Iterable[Any]]) -> str:
     stream = io.StringIO()
-    writer = csv.writer(stream, lineterminator="\n")  # writes a number as `cell` does
+    writer = csv.writer(stream, lineterminator="\n")
     writer.writerow(map(escape.cell, header))
-    writer.writerows(zip(*map(_blanked, columns), strict=True))
+    writer.writerows(rows)
     return stream.getvalue()
 
 
@@ -37,12 +46,3 @@ def _blanked(column: NDArray[Any]) -> list[Any]:
     known = np.isfinite(column)
     values: list[Any] = column.tolist()
     return values if known.all() else [value if there else "" for value, there in zip(values, known, strict=True)]
-
-
-def table_text(header: list[str], rows: Iterable[list[str]]) -> str:
-    """The whole table; no cell but a number begins as a formula does."""
-    stream = io.StringIO()
-    writer = csv.writer(stream, lineterminator="\n")
-    writer.writerow(map(escape.cell, header))
-    writer.writerows(map(escape.cell, row) for row in rows)
-    return stream.getvalue()

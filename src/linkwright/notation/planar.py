@@ -15,6 +15,15 @@ class Pair(NamedTuple):
     x: Scalar
     y: Scalar
 
+    @property
+    def length(self) -> Scalar:
+        """The length of this vector."""
+        return call("sqrt", self.dot(self))
+
+    def plus(self, other: Pair, times: Scalar = 1.0) -> Pair:
+        """The place so many ``times`` another vector away."""
+        return Pair(self.x + times * other.x, self.y + times * other.y)
+
     def minus(self, other: Pair) -> Pair:
         """The coordinates relative to another point of the same link."""
         return Pair(_minus(self.x, other.x), _minus(self.y, other.y))

@@ -9,8 +9,6 @@ Engineers: Statics, ch. 8). Where zero lies between them, the released mechanism
 from __future__ import annotations
 
 from copy import copy
-from functools import partial
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,13 +20,10 @@ from linkwright.graph.rows import Named
 from linkwright.kernels import Compiled
 from linkwright.model.signals import BREAKAWAY, Signals
 from linkwright.results.run import Run
-from linkwright.results.stationary import crossings
+from linkwright.results.stretches import CLEAR, between_changes, stretches
 from linkwright.structure import Structure, Topology
 
 Array = NDArray[np.float64]
-
-CLEAR = 1e-9
-"""Holding efforts below this share of the largest effort are none: no load would move the mechanism."""
 
 
 def starting(compiled: Compiled) -> list[str]:
@@ -47,22 +42,13 @@ def resting_stretches(run: Run, drive: str) -> list[tuple[float, float]]:
     """The stretches of time (s) at whose poses the mechanism stays at rest with a drive released, though loads would
     move it without friction."""
 
-    def one_of(row: int, t: Array) -> Array:
-        return np.asarray(np.nan_to_num(efforts(run.compiled, drive, t)[row]))
+    def every(t: Array) -> Array:
+        return efforts(run.compiled, drive, t)
 
-    cuts = [crossings(partial(one_of, row), run.start, run.stop, run.grid) for row in range(3)]
-    edges = np.unique(np.concatenate([[run.start, run.stop], *cuts]))
-    edges = edges[np.append(True, np.diff(edges) > CLEAR * (run.stop - run.start))]
-    forward, backward, holding = efforts(run.compiled, drive, (edges[:-1] + edges[1:]) / 2)
-    largest = np.nanmax(
-        np.abs(efforts(run.compiled, drive, np.linspace(run.start, run.stop, run.grid + 1))), initial=0.0
-    )
-    rests = (forward >= 0) & (backward <= 0) & (np.abs(holding) > CLEAR * largest)
-    found: list[tuple[float, float]] = []
-    for (a, b), stays in zip(pairwise(edges.tolist()), rests, strict=True):
-        if stays:
-            found.append((found.pop()[0], b) if found and found[-1][1] == a else (a, b))
-    return found
+    edges = between_changes(run, lambda t: np.nan_to_num(every(t)), 3)
+    forward, backward, holding = every((edges[:-1] + edges[1:]) / 2)
+    largest = np.nanmax(np.abs(every(np.linspace(run.start, run.stop, run.grid + 1))), initial=0.0)
+    return stretches(edges, (forward >= 0) & (backward <= 0) & (np.abs(holding) > CLEAR * largest))
 
 
 def unstarted(compiled: Compiled, drive: str, t: Array) -> dict[str, Array]:

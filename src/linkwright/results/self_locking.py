@@ -8,9 +8,6 @@ Statics, ch. 8).
 
 from __future__ import annotations
 
-from functools import partial
-from itertools import pairwise
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -18,12 +15,10 @@ from linkwright.graph.force_rows import FrictionlessEffort
 from linkwright.graph.power_rows import ElementPower
 from linkwright.graph.rows import Named
 from linkwright.results.run import Run
-from linkwright.results.stationary import crossings
+from linkwright.results.stretches import CLEAR, between_changes, stretches
 
 Array = NDArray[np.float64]
 
-CLEAR = 1e-9
-"""Powers below this share of the largest one have no sign."""
 LITTLE = 0.01
 """Loads that never supply more than this share of the largest power that they exchange drive nothing."""
 LOOKS = 16
@@ -43,18 +38,9 @@ def locked_stretches(run: Run, drive: str) -> list[tuple[float, float]]:
         falling = -run.compiled.rates(["energy.potential"], t)[1][0]
         return np.stack([effort * rate, alone * rate, sum(loads, falling)])
 
-    def one_of(row: int, t: Array) -> Array:
-        return np.asarray(powers(t)[row])
-
-    cuts = [crossings(partial(one_of, row), run.start, run.stop, run.grid) for row in range(3)]
-    edges = np.unique(np.concatenate([[run.start, run.stop], *cuts]))
-    edges = edges[np.append(True, np.diff(edges) > CLEAR * (run.stop - run.start))]
+    edges = between_changes(run, powers, 3)
     clear = CLEAR * np.nanmax(np.abs(powers(np.linspace(run.start, run.stop, run.grid + 1))), axis=1, initial=0.0)
     given, alone, loads = powers((edges[:-1] + edges[1:]) / 2)
-    locked = (given > clear[0]) & (alone < -clear[1]) & (loads > clear[2])
-    found: list[tuple[float, float]] = []
-    for (a, b), holds in zip(pairwise(edges.tolist()), locked, strict=True):
-        if holds:
-            found.append((found.pop()[0], b) if found and found[-1][1] == a else (a, b))
+    found = stretches(edges, (given > clear[0]) & (alone < -clear[1]) & (loads > clear[2]))
     most = LITTLE / CLEAR * clear[2]
-    return [(a, b) for a, b in found if one_of(2, np.linspace(a, b, LOOKS + 1)[1:-1]).max() > most]
+    return [(a, b) for a, b in found if powers(np.linspace(a, b, LOOKS + 1)[1:-1])[2].max() > most]

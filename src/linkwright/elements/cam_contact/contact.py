@@ -80,7 +80,7 @@ class CamPair:
     def distance(self) -> Scalar:
         """From the shaft to the pivot."""
         away = self.pivot.minus(self.shaft)
-        return call("sqrt", away.dot(away))
+        return away.length
 
     @property
     def level(self) -> Scalar:
@@ -119,7 +119,7 @@ def seat(geometry: FollowerGeometry, drive: CamFollower) -> CamPair:
             reach, turn = -drive.side * arm.dot(unit_vector(heading).perp), heading
         else:
             about = plain.point(drive.link, cam.touches).minus(plain.point(drive.link, drive.pivot[0]))
-            reach, turn = call("sqrt", arm.dot(arm)), angle_near(arm, about)
+            reach, turn = arm.length, angle_near(arm, about)
         back, none = angle_near(to_shaft, far), Pair(0.0, 0.0)
         return CamPair(shaft, pivot, none, base, roller, reach, 0.0, back, back - turn, -drive.side, faced, True)
     assert drive.joint is not None
@@ -194,7 +194,7 @@ def contact(
     else:
         moving, arm = point_displacement(at).perp, at.minus(shaft)
         across = Pair(arm.x + rate * moving.x, arm.y + rate * moving.y)
-        size = call("sqrt", across.dot(across))
+        size = across.length
         normal = Pair(across.x / size, across.y / size)
     rising = point_displacement(at)
     rising = Pair(here.sign * rising.x, here.sign * rising.y)

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from linkwright.elements.cam_contact.contact import CamPair, ContactFeature, outward, seat, touch
 from linkwright.expressions import units as u
 from linkwright.laws import Motion
-from linkwright.notation import Pair, Scalar
+from linkwright.notation import Scalar
 from linkwright.notation.planar import unit_vector
 
 if TYPE_CHECKING:
@@ -52,14 +52,14 @@ def second(geometry: FollowerGeometry, drive: CamFollower, total: Scalar) -> Con
         own = geometry.point(drive.link, drive.pivot[0])
         turn = unit_vector(-here.sign * between)
         if first.face is None:
-            return ContactFeature(_plus(own, first.at.minus(own).rotated(turn)), None)
+            return ContactFeature(own.plus(first.at.minus(own).rotated(turn)), None)
         face = first.face.rotated(turn)
-        return ContactFeature(_plus(own, outward(other, face), here.reach), face)
+        return ContactFeature(own.plus(outward(other, face), here.reach), face)
     assert drive.joint is not None
     heading = geometry.line(drive.joint, drive.link)[1]
-    at = _plus(first.at, heading, -here.sign * between)
+    at = first.at.plus(heading, -here.sign * between)
     if drive.cam.closed == "yoke":  # its rollers lie opposite each other about the shaft
-        at = _plus(at, heading.perp, 2 * here.sign * here.aside)
+        at = at.plus(heading.perp, 2 * here.sign * here.aside)
     return ContactFeature(at, first.face)
 
 
@@ -105,7 +105,3 @@ def sums(motion: Motion) -> NDArray[np.float64]:
     """Sums of two lifts (m) half a turn apart, all over a turn: one number where a yoke fits without play."""
     places = np.concatenate([np.linspace(0.0, pi, SAMPLES), motion.breaks])
     return np.asarray(motion.at(places) + motion.at(places + pi))
-
-
-def _plus(at: Pair, by: Pair, times: Scalar = 1.0) -> Pair:
-    return Pair(at.x + times * by.x, at.y + times * by.y)

@@ -11,10 +11,10 @@ mechanisms.
 
 In the slot the pin bears on a flank, along the normal of the slot's middle line, with the moment arm |O2 P| about the
 wheel's centre. In between, the driver's disc of radius R fills the wheel's arc. All its pressure points to the driver's
-centre, so that the driver feels no moment. How it is spread is statically indeterminate. Stated is the least force that
-holds a moment on the wheel: at a horn, the end of the wheel's arc on its rim, where the arm about the wheel's centre is
-longest, and which with the least play between disc and arc bears before all other places. The rim has the radius a
-cos(pi/n), so that the horns lie on the disc at the angles +-phi from the line of centres with
+centre, so that the driver feels no moment. How it is spread is statically indeterminate. Stated is the smallest force
+that holds a moment on the wheel: at a horn, the end of the wheel's arc on its rim, where the arm about the wheel's
+centre is longest, and which makes contact first where the clearance is the same along the arc. The rim has the radius
+a cos(pi/n), so that the horns lie on the disc at the angles +-phi from the line of centres with
 
     cos(phi) = (R^2 + a^2 sin(pi/n)^2)/(2 a R),
 
@@ -80,7 +80,7 @@ class Dimensions:
     @property
     def distance(self) -> Scalar:
         """The centre distance (m)."""
-        return length(self.line)
+        return self.line.length
 
     @property
     def horn(self) -> tuple[Scalar, Scalar]:
@@ -94,11 +94,6 @@ def half_angle(slots: Scalar) -> Scalar:
     """Half the angle (rad) between two slots; infinite without slots."""
     with np.errstate(divide="ignore"):
         return np.divide(pi, slots) if isinstance(slots, int | float) else pi / slots
-
-
-def length(vector: Pair) -> Scalar:
-    """The length of a vector."""
-    return call("sqrt", vector.dot(vector))
 
 
 class Indexing:
@@ -132,7 +127,7 @@ class Indexing:
         line = angle_near(at.line, self.nominal.line)
         found = Jet.constant(line + pi - at.slot, motor.order)
         for number, (arm, psi) in enumerate(zip(at.arms, self.angles(at, motor), strict=True)):
-            turned = advanced(psi, length(arm) / at.distance, at.half)
+            turned = advanced(psi, arm.length / at.distance, at.half)
             found = found - (turned - at.half if number else turned)  # the others have turned it by half a slot already
         return found
 
@@ -161,16 +156,16 @@ def contact(poses: PoseQuery, drive: GenevaDrive, sign: int = 1) -> UnitEffort:
     shaft, centre = driver.point(at.centres[0]).now, wheel.point(at.centres[1]).now
     line = centre.minus(shaft)
     cosine, sine = at.horn
-    size = length(line)
+    size = line.length
     along = Pair(line.x / size, line.y / size)
     force = Pair(cosine, -sign * sine).rotated(along)
-    place, reach = Pair(shaft.x + at.arc * force.x, shaft.y + at.arc * force.y), size * sine
+    place, reach = shaft.plus(force, at.arc), size * sine
     engaged: Scalar = 0.0
     for arm in at.arms:
-        pin = driver.point(Pair(at.centres[0].x + arm.x, at.centres[0].y + arm.y)).now
-        inside = in_slot(pin.minus(shaft).dot(along) / length(arm), at.half)
+        pin = driver.point(at.centres[0].plus(arm)).now
+        inside = in_slot(pin.minus(shaft).dot(along) / arm.length, at.half)
         out = pin.minus(centre)
-        depth = length(out)
+        depth = out.length
         flank = Pair(-sign * out.y / depth, sign * out.x / depth)
         place, force = either(inside, pin, place), either(inside, flank, force)
         reach, engaged = call("where", inside, depth, reach), call("where", inside, 1.0, engaged)

@@ -73,7 +73,7 @@ class GenevaEntry(WheelsEntry, FollowerEntry):
             return
         first, second = (places.point(self.carrier, str(point)) for point in ends)
         away = second.minus(first)
-        distance = call("sqrt", away.dot(away))
+        distance = away.length
         data = {"carrier": self.carrier, "distance": places.text_of(distance, u.LENGTH)}
         yield distance, Sign.POSITIVE, ("geneva.concentric", data, "centres")
         if nominal and not (distance > 0 and n >= FEWEST - WHOLE):
@@ -95,7 +95,7 @@ class GenevaEntry(WheelsEntry, FollowerEntry):
         the driver's centre (m), ``half`` the sine of half the angle between two slots."""
         wanted = distance * half
         for name, arm in zip(self.pins, arms, strict=True):
-            radius = call("sqrt", arm.dot(arm))
+            radius = arm.length
             data = {"pin": name, "centre": self.centres[0], "radius": places.text_of(radius, u.LENGTH)}
             data |= {"wanted": places.text_of(wanted, u.LENGTH), "distance": places.text_of(distance, u.LENGTH)}
             margin = slack * distance - call("abs", radius - wanted)

@@ -24,7 +24,7 @@ from linkwright.elements.geneva.contact import Dimensions, Indexing, contact
 from linkwright.elements.geneva.entry import GenevaEntry
 from linkwright.elements.geneva.sentence import sentence
 from linkwright.elements.geneva.shape import outline
-from linkwright.elements.geneva.support import unsupported
+from linkwright.elements.geneva.uncovered_horn import unsupported
 from linkwright.elements.joint import Applied, Miss
 from linkwright.elements.points import FRAME
 from linkwright.expressions import units as u

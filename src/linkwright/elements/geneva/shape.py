@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from linkwright.elements.curves import Curve, circle, polygon
-from linkwright.elements.geneva.contact import Dimensions, length
+from linkwright.elements.geneva.contact import Dimensions
 from linkwright.expressions import units as u
 from linkwright.notation import Pair, Scalar
 from linkwright.notation.jets import call
@@ -35,8 +35,8 @@ def outline(at: Dimensions, driver: str, wheel: str, nominal: FollowerGeometry, 
     slots = round(float(nominal.number(entry.slots, u.PURE)))
     width = WIDE * (at.distance * call("sin", at.half) - at.arc)
     corners = [corner for number in range(slots) for corner in _sector(at, at.slot + 2.0 * at.half * number, width)]
-    lines = [polygon(wheel, [_plus(at.centres[1], corner) for corner in corners]), disc(driver, at)]
-    return [*lines, *(circle(driver, _plus(at.centres[0], arm), width) for arm in at.arms)]
+    lines = [polygon(wheel, [at.centres[1].plus(corner) for corner in corners]), disc(driver, at)]
+    return [*lines, *(circle(driver, at.centres[0].plus(arm), width) for arm in at.arms)]
 
 
 def _sector(at: Dimensions, direction: Scalar, width: Scalar) -> list[Pair]:
@@ -65,15 +65,11 @@ def disc(driver: str, at: Dimensions) -> Curve:
     def place(turn: Scalar) -> Pair:
         here, radius = unit_vector(turn), at.arc
         for arm in at.arms:
-            size = length(arm)
+            size = arm.length
             cosine, sine = here.dot(arm) / size, here.cross(arm) / size
             beside = at.distance * call("fmin", call("abs", sine), reach)
             cut = at.distance * call("fmax", cosine, edge) - call("sqrt", hollow - beside * beside)
             radius = call("where", cosine > edge, cut, radius)
-        return Pair(at.centres[0].x + radius * here.x, at.centres[0].y + radius * here.y)
+        return at.centres[0].plus(here, radius)
 
     return Curve(driver, place, (0.0, 2.0 * pi), closed=True, points=AROUND)
-
-
-def _plus(at: Pair, by: Pair) -> Pair:
-    return Pair(at.x + by.x, at.y + by.y)
