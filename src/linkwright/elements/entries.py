@@ -43,12 +43,26 @@ class StatedPlaces(Protocol):
         """A value as the file has such ones, with its unit."""
 
 
-class JointEntry(Frozen):
-    """Base of the entries of kinds beyond pins and slides. The key that is named after the kind has the links. Which
-    of its texts name links and points say :class:`~linkwright.expressions.typed_fields.Ref` s, as for other entries."""
+class ElementEntry(Frozen):
+    """Base of the entries of kinds of elements."""
 
     kind: ClassVar[str]
     """The name of the kind."""
+
+    def mirrored(self, name: str, mirror: Mirror) -> Self:
+        """The same element of that name seen in a mirror. Raises :class:`NotMirroredError` where that isn't told."""
+        raise NotMirroredError
+
+    def number_faults(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[NumberFault]:
+        """What may be wrong with its numbers together; ``value`` gives them in SI: numbers, arrays of samples, or
+        symbols."""
+        yield from ()
+
+
+class JointEntry(ElementEntry):
+    """Base of the entries of kinds beyond pins and slides. The key that is named after the kind has the links. Which
+    of its texts name links and points say :class:`~linkwright.expressions.typed_fields.Ref` s, as for other entries."""
+
     signals: ClassVar[Mapping[str, Dimension]] = {}
     """The attributes of ``NAME.`` with their dimensions (SI)."""
     couple: ClassVar[bool] = False
@@ -97,15 +111,6 @@ class JointEntry(Frozen):
         """The values of its signals at which curves of its closure join, so that the links' jerk jumps there."""
         return {}
 
-    def mirrored(self, name: str, mirror: Mirror) -> Self:
-        """The same element of that name seen in a mirror. Raises :class:`NotMirroredError` where that isn't told."""
-        raise NotMirroredError
-
-    def number_faults(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[NumberFault]:
-        """What may be wrong with its numbers together; ``value`` gives them in SI: numbers, arrays of samples, or
-        symbols."""
-        yield from ()
-
     def name_faults(self, mechanism: Any) -> Iterator[FaultWithin]:
         """What is wrong with how it lies among the links and pins, besides names that no element has."""
         yield from ()
@@ -116,12 +121,9 @@ class JointEntry(Frozen):
         yield from ()
 
 
-class ForceEntry(Frozen):
+class ForceEntry(ElementEntry):
     """Base of the entries of what acts on links. Where another kind than the usual one of its section stands, a key is
     named after it."""
-
-    kind: ClassVar[str]
-    """The name of the kind."""
 
     def dimension(self, key: str) -> Dimension:
         """The dimension of one of its quantities, as its field says."""
@@ -130,15 +132,6 @@ class ForceEntry(Frozen):
         found = quantity.dimension_at(Context(None, entries=(self,)))
         assert isinstance(found, Dimension)
         return found
-
-    def mirrored(self, name: str, mirror: Mirror) -> Self:
-        """The same element of that name seen in a mirror. Raises :class:`NotMirroredError` where that isn't told."""
-        raise NotMirroredError
-
-    def number_faults(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[NumberFault]:
-        """What may be wrong with its numbers together; ``value`` gives them in SI: numbers, arrays of samples, or
-        symbols."""
-        yield from ()
 
 
 NOUNS = {"loads": "load", "springs": "spring", "counterweights": "counterweight", "friction": "friction"}
