@@ -62,6 +62,22 @@ def test_near_misses_stay_near_misses() -> None:
     assert {f.data["near"].likely for f in caught.value.findings} == {("springs",), ("joints",)}
 
 
+@pytest.mark.parametrize(
+    ("joint", "key", "likely"),
+    [
+        ({"geneva": ["crank", "rod"], "centres": ["A", "B"], "pin": ["B"], "slots": 4, "arc": 20}, "pin", "pins"),
+        ({"pin": ["crank", "rod"]}, "pin", None),  # it is a key of another kind: not itself
+    ],
+)
+def test_keys_of_kinds(joint: dict[str, Any], key: str, likely: str | None) -> None:
+    """The plural of a key of a kind that is clear is meant, and no key is said to mean itself."""
+    with pytest.raises(ModelError) as caught:
+        parse_document(slider_crank(joints={"g": joint}))
+    (near,) = (f.data["near"] for f in caught.value.findings if f.element == f"joints.g.{key}")
+    assert key not in near.likely
+    assert likely is None or near.likely == (likely,)
+
+
 def test_the_friction_that_is_proposed_works() -> None:
     """A load of 100 N along the bore: the drive gives what friction takes."""
     mend = re.search(r"'(friction: .*)'\. ", catalogue()["element.friction.mend"].format())

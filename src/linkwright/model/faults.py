@@ -90,8 +90,7 @@ def written_path(loc: tuple[Any, ...], data: Any) -> Path:
 
 def _finding(fault: Any, raw: Any, owner: Any) -> Finding:
     context, kind, path = dict(fault.get("ctx") or {}), fault["type"], written_path(fault["loc"], raw)
-    # A key that belongs to another kind of the same section is no element that is looked for elsewhere.
-    elsewhere = kind == "extra_forbidden" and path and path[-1] not in keys_at(owner, path[:-1], raw)
+    elsewhere = kind == "extra_forbidden" and path and not _is_key(path, raw, owner)
     named = absent(path[-1], fault["input"]) if elsewhere else None
     section = _inside(path)[:1]
     if kind in _WANTED and section == ("joints",):
@@ -106,6 +105,14 @@ def _finding(fault: Any, raw: Any, owner: Any) -> Finding:
         choices = re.findall("'([^']*)'", str(context["expected"]))
         data |= {"wanted": alternatives(choices), "hint": near(str(fault["input"]), choices, listed=True)}
     return _with_section(Finding("file.expected", path, data))
+
+
+def _is_key(path: Path, raw: Any, owner: Any) -> bool:
+    """Whether a key is no element that is looked for elsewhere: it belongs to another kind of the same section, or is
+    the singular or plural of a key of an entry whose kind is clear."""
+    key, known = str(path[-1]), keys_at(owner, path[:-1], raw)
+    other = not {f"{key}s", key.removesuffix("s")}.isdisjoint(known)
+    return key in known or (other and known != keys_at(owner, path[:-1]))
 
 
 def _with_section(found: Finding) -> Finding:
@@ -141,6 +148,6 @@ def finding_of(fault: Any, data: Any, owner: Any, place: Path = ()) -> Finding |
         kind = fault["input"]
         if name in SAYS_KIND and isinstance(kind, str) and likeliest(kind, known):
             return Finding("file.kind", (*place, *path), {"name": name, "kind": kind[:60], "near": near(kind, known)})
-        hint = near(name, known)
+        hint = near(name, [key for key in known if key != name])  # it may be one of another kind
         return Finding("file.unknown-key", (*place, *path), {"name": name[:60], "near": hint})
     return None
