@@ -25,7 +25,7 @@ CONTRACTS, RECIPES = (
     for chapter in ("Contracts", "To add")
 )
 CODE = re.compile(r"`([^`]+)`")
-FLOORS = re.findall(r"^\| *([\d.]*) *\| `([\w/]+)` \| (.*) \|$", CHAPTERS["Floors"], re.M)
+FLOORS = re.findall(r"^\| *([-\d.]*) *\| `([\w/]+)` \| (.*) \|$", CHAPTERS["Floors"], re.M)
 """The rows of the table: floor, package, what it is for."""
 
 

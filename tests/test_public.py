@@ -188,6 +188,7 @@ def test_a_registered_name_stands_on_its_class(registry: dict[str, Any], key: st
 # Imports go down only.
 
 LEVELS = {
+    "records": -1,
     **dict.fromkeys(("_lazy", "_version", "escape", "interrupts", "notation", "plugins", "words", "gallery"), 0),
     **dict.fromkeys(("findings", "laws", "tolerances"), 1),
     **dict.fromkeys(("_machine", "expressions", "presentation"), 2),
@@ -210,11 +211,11 @@ LEVELS = {
     "cli": 16,
     "__main__": 17,
 }
-# The side floors know of nothing but what is named here.
+# The side floors know of nothing but what is named here, and of the ground.
 SIDES = {
     **{
         side: set[str]()
-        for side in ("_lazy", "_version", "escape", "interrupts", "notation", "plugins", "words", "gallery")
+        for side in ("_lazy", "_version", "escape", "interrupts", "notation", "plugins", "records", "words", "gallery")
     },
     "findings": {"escape", "words"},
     "laws": {"notation"},
@@ -280,7 +281,7 @@ def test_imports_go_down_only() -> None:
 def test_the_side_floors_know_of_nothing_else() -> None:
     seen: dict[str, set[str]] = {side: set() for side in SIDES}
     for _, here, target in imports():
-        if here in SIDES and target != here and target in LEVELS:
+        if here in SIDES and target != here and LEVELS.get(target, -1) >= 0:
             seen[here].add(target)
     assert all(seen[side] <= known for side, known in SIDES.items()), seen
 
@@ -367,6 +368,8 @@ def test_which_imports_make_a_circle(tmp_path: Path, text: str, found: bool) -> 
 
 SPEAKERS = {"words", "findings"}
 ENDS = {"print", "exit", "sys.exit", "os._exit", "eval", "exec"}
+ENDS_ALLOWED = {"records.py": {"exec"}}
+"""Data classes are compiled from the names of their fields."""
 
 
 @cache
@@ -384,7 +387,7 @@ def test_nothing_below_the_report_makes_words() -> None:
 
 def test_nothing_below_the_command_line_prints_or_leaves() -> None:
     low = {file for file in FILES if file.split("/")[0] not in ("cli", "__main__.py")}
-    nobody_breaks({file: called(FILES[file]) & ENDS for file in low})
+    nobody_breaks({file: (called(FILES[file]) & ENDS) - ENDS_ALLOWED.get(file, set()) for file in low})
 
 
 def test_every_module_says_what_it_is() -> None:

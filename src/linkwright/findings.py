@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import errno
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import Any
 
 from linkwright.escape import line
+from linkwright.records import dataclass
 from linkwright.words import text
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +9,7 @@ from linkwright.app.job import Examined, read_file
 from linkwright.compilation import examine, prepare
 from linkwright.findings import Finding, ModelError, raise_errors
 from linkwright.model.document import Document
+from linkwright.records import dataclass
 from linkwright.report.summary import worded
 from linkwright.structure import decompose
 from linkwright.studies import read_studies

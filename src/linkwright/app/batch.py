@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -31,6 +31,7 @@ from linkwright.model.origin import Origin, hashed
 from linkwright.model.plane import in_plane
 from linkwright.model.sampled import names_in
 from linkwright.model.sketch import with_sketch
+from linkwright.records import dataclass
 from linkwright.report.batch import BatchRow, batch_page
 from linkwright.words import language, say
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import statistics
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
@@ -20,6 +20,7 @@ from linkwright.findings import Finding, ModelError, Term, raise_errors
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.threaded import pool, spread, stretches
 from linkwright.model.signals import Signal
+from linkwright.records import dataclass
 from linkwright.studies.cycle.options import CycleOptions, span
 
 Array = NDArray[np.float64]

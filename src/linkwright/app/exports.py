@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +15,7 @@ from linkwright.findings import Finding, Joined, ModelError, raise_errors
 from linkwright.model.document import Document
 from linkwright.model.origin import Origin
 from linkwright.model.yaml_text import read_text
+from linkwright.records import dataclass
 from linkwright.studies import RunContext
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Collection, Iterable
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
@@ -25,6 +25,7 @@ from linkwright.model.references import option_faults
 from linkwright.model.walk import Options, option_places
 from linkwright.model.yaml_text import Source
 from linkwright.presentation.blocks import FileOf
+from linkwright.records import dataclass
 from linkwright.report.build import report_data
 from linkwright.report.page import page
 from linkwright.report.summary import drawn, found, summary

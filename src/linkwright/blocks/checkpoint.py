@@ -9,7 +9,7 @@ import json
 import re
 import zipfile
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +19,7 @@ from linkwright.blocks.work import Arrays
 from linkwright.findings import Finding, Joined, ModelError, reason
 from linkwright.model.input_files import read_at_most
 from linkwright.model.output_files import refuse_link, write_aside
+from linkwright.records import dataclass
 
 FORMAT = 2
 """The version of what stands in the file."""

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from linkwright.blocks.reductions import Array
 from linkwright.blocks.work import Arrays
+from linkwright.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -7,13 +7,12 @@ arbitrary-order statistical moments", Sandia report SAND2008-6212 (2008), eqs. (
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from linkwright.blocks.moments import total, values_at_samples
 from linkwright.blocks.reductions import Array
 from linkwright.blocks.work import Arrays
+from linkwright.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -7,13 +7,13 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager, suppress
-from dataclasses import dataclass
 from typing import Any, Protocol
 
 from linkwright import interrupts
 from linkwright.blocks.runners import Runner, Threads, opened
 from linkwright.blocks.work import Sink, Task, Work
 from linkwright.findings import Finding, ModelError
+from linkwright.records import dataclass
 
 EVERY = 5.0
 """Seconds between two saves."""

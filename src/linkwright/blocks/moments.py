@@ -9,14 +9,13 @@ that the difference of two means keeps its digits where deviations are far below
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.blocks import moments_code
 from linkwright.blocks.reductions import Array
 from linkwright.blocks.work import Arrays
+from linkwright.records import dataclass
 
 STRIP = 1 << 15
 """Values of a strip: its temporaries stay in the cache."""

@@ -14,7 +14,6 @@ import stat
 import warnings
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +26,7 @@ from linkwright.blocks.lock import Lock, shared
 from linkwright.blocks.work import UNIT, Arrays, Cut
 from linkwright.findings import Finding, ModelError
 from linkwright.model.output_files import refuse_links_in
+from linkwright.records import dataclass
 
 WHOLE = {"array.write_empty_chunks": True}
 """Zarr leaves out chunks of NaN alone, which then look like those that nobody has written."""

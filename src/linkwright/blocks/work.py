@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Protocol
 
 from numpy.typing import NDArray
+
+from linkwright.records import dataclass
 
 Arrays = dict[str, NDArray[Any]]
 

@@ -8,7 +8,7 @@ The second disc of a conjugate pair is such a mirror image of the first, as its 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import atan2, cos, pi, sin
 from typing import Any
 
@@ -33,6 +33,7 @@ from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
 from linkwright.notation import Jet, Pair, Scalar
 from linkwright.notation.jets import call
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 Parameters = Mapping[str, float]

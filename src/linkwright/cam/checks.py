@@ -11,10 +11,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from linkwright.cam.disc import Disc
 from linkwright.cam.extremes import CamExtreme, curvature, extremes, pressure, stretches
+from linkwright.records import dataclass
 
 
 @dataclass(frozen=True)

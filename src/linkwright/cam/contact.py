@@ -7,7 +7,6 @@ whose inner side the roller runs; ``-1`` is the profile that a follower rests on
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -17,6 +16,7 @@ from linkwright.cam.disc import TURN, Disc, DiscJets
 from linkwright.cam.extremes import Figure, extremes
 from linkwright.cam.followers import dot
 from linkwright.notation import Jet
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -21,6 +20,7 @@ from numpy.typing import NDArray
 
 from linkwright.cam.followers import CamFollowerGeometry, ContactJets, Vector, cross, dot, rotated
 from linkwright.notation import Jet
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 Lift = Callable[[Jet], Jet]

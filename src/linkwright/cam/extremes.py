@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
 
@@ -12,6 +11,7 @@ from numpy.typing import NDArray
 
 from linkwright.cam.disc import Disc, DiscJets, Lift, inside
 from linkwright.notation import Jet
+from linkwright.records import dataclass
 from linkwright.results.stationary import crossings, stationary
 
 Array = NDArray[np.float64]

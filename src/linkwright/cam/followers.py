@@ -8,7 +8,6 @@ translating one along +y, a swinging one by turning clockwise about its pivot at
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
@@ -17,6 +16,7 @@ from numpy.typing import NDArray
 from linkwright.notation import Jet
 from linkwright.notation.angles import wrapped
 from linkwright.notation.registry import Registry
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 Vector = tuple[Jet, Jet]

@@ -7,7 +7,7 @@ when which side bears. (Rothbart, Cam Design Handbook, 2004; Norton, Cam Design 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -18,6 +18,7 @@ from linkwright.cam.contact import ContactPlace, NoContact
 from linkwright.cam.disc import Disc, DiscJets
 from linkwright.cam.extremes import CamExtreme, extremes
 from linkwright.notation import Jet
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

@@ -10,7 +10,6 @@ without crown, aligned.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -21,6 +20,7 @@ from linkwright.cam.disc import TURN, DiscJets
 from linkwright.cam.extremes import CamExtreme, Figure, extremes
 from linkwright.cam.loads import CamForces
 from linkwright.notation import Jet
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

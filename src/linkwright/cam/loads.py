@@ -10,7 +10,7 @@ Manufacturing Handbook, 2nd ed.) The cam turns uniformly and all bodies are rigi
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from itertools import pairwise
 
@@ -22,6 +22,7 @@ from linkwright.cam.disc import Disc, DiscJets
 from linkwright.cam.disc import inside as within
 from linkwright.cam.extremes import STEPS, CamExtreme, Figure, extremes
 from linkwright.notation import Jet
+from linkwright.records import dataclass
 from linkwright.results.stationary import crossings
 
 Array = NDArray[np.float64]

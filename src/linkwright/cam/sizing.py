@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from linkwright.cam.checks import CamLimits, worst
 from linkwright.cam.disc import Disc
 from linkwright.cam.followers import NoFollower
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from linkwright._machine import needed
 from linkwright.cam.nc.path import Element
 from linkwright.model.temporary import temporary_folder
+from linkwright.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.cam.disc import Disc, inside
 from linkwright.cam.nc.path import Sharp
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

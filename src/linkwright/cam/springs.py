@@ -10,7 +10,7 @@ function, which Newton's rule reaches from below: each step keeps the follower o
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +20,7 @@ from linkwright.cam.disc import Disc, DiscJets
 from linkwright.cam.extremes import extremes
 from linkwright.cam.loads import FollowerLoads
 from linkwright.notation import Jet
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 Speeds = tuple[float, float]

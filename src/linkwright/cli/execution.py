@@ -5,7 +5,6 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -13,6 +12,7 @@ import click
 
 from linkwright.cli.streams import read_or_not
 from linkwright.cli.usage import option
+from linkwright.records import dataclass
 
 if TYPE_CHECKING:
     from linkwright.app import Examined, Job, Writing

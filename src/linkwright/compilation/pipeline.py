@@ -13,7 +13,6 @@ A stage gives its value and its findings; the next one goes on with what is soun
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 
 from linkwright.compilation.stages import Laws, Uses, assemble, check, desugar, laws, quantities, structure, warnings
@@ -27,6 +26,7 @@ from linkwright.model.document import located
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.model_file import read_model_file
 from linkwright.model.quantities import Quantities
+from linkwright.records import dataclass
 from linkwright.structure import Structure
 
 

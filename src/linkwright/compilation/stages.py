@@ -4,7 +4,7 @@ has their order."""
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 
 from linkwright.findings import Finding, Joined
@@ -23,6 +23,7 @@ from linkwright.model.mechanism import Mechanism
 from linkwright.model.places import ExpressionPlace
 from linkwright.model.plausible import implausible
 from linkwright.model.quantities import Quantities
+from linkwright.records import dataclass
 from linkwright.structure import Structure, Topology, decompose
 
 Uses = Sequence[ExpressionPlace] | Callable[[Mechanism], Sequence[ExpressionPlace]]

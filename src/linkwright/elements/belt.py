@@ -17,7 +17,6 @@ L. G. Kraige, Engineering Mechanics: Statics, 7th ed. (2012), 6/8 (flexible belt
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar
 
 import numpy as np
@@ -34,6 +33,7 @@ from linkwright.expressions.typed_fields import Quantity, Sign
 from linkwright.expressions.written import FaultWithin
 from linkwright.notation import Body, Pair, Scalar, Wrench
 from linkwright.notation.jets import call, is_zero
+from linkwright.records import dataclass
 
 STRANDS = {"left": u.FORCE, "right": u.FORCE}
 

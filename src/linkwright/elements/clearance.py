@@ -8,10 +8,11 @@ derivatives.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any, ClassVar, NamedTuple, Protocol
 
 import numpy as np
+
+from linkwright.records import dataclass
 
 
 class Axis(NamedTuple):

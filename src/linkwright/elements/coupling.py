@@ -8,7 +8,6 @@ way round, at that of the motor, so that both do no work together.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar
 
 import numpy as np
@@ -36,6 +35,7 @@ from linkwright.expressions.typed_fields import Scope, of_drive
 from linkwright.expressions.unknown import near
 from linkwright.findings import Finding
 from linkwright.notation import Jet, Scalar
+from linkwright.records import dataclass
 
 
 class CouplingEntry(FollowerEntry):

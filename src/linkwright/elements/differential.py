@@ -17,7 +17,6 @@ Shigley, Theory of Machines and Mechanisms, 4th ed. (2011), ch. 9 (Willis' formu
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar
 
 import numpy as np
@@ -49,6 +48,7 @@ from linkwright.expressions.units import Dimension
 from linkwright.expressions.written import FaultWithin, unexpected
 from linkwright.notation import Body, Jet, Pair, Scalar
 from linkwright.notation.jets import call
+from linkwright.records import dataclass
 
 LEAST = 3
 """The fewest shafts: of two there is a ratio, which a coupling or gears have."""

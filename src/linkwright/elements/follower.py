@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, ClassVar, Protocol
 
 from linkwright.elements.curves import Curve
@@ -28,6 +28,7 @@ from linkwright.findings import Finding, Term, Text
 from linkwright.laws import Motion
 from linkwright.notation import Jet, Pair, Scalar, Wrench
 from linkwright.notation.registry import Registry
+from linkwright.records import dataclass
 
 Motions = Mapping[str, Any]
 """The motion laws by name: of each ``given(parameters)`` is the :class:`~linkwright.laws.Motion` at some parameters."""

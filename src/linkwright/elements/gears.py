@@ -19,7 +19,6 @@ Sources: ISO 21771 (2007; working pitch circles, working pressure angle); G. Nie
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar
 
 import numpy as np
@@ -36,6 +35,7 @@ from linkwright.expressions.typed_fields import Quantity, Ref, Sign
 from linkwright.expressions.written import FaultWithin
 from linkwright.notation import Body, Pair, Scalar, Wrench
 from linkwright.notation.jets import call, is_zero
+from linkwright.records import dataclass
 
 EXACT, VARIED = 1e-6, 1e-2
 """By how much of itself the centre distance may differ from that of the radii, where both are nominal, and where

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any, ClassVar, Literal, NamedTuple, Protocol
 
 import numpy as np
@@ -24,6 +23,7 @@ from linkwright.expressions.written import FaultWithin
 from linkwright.findings import Term
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
 from linkwright.notation.registry import Registry
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 RowUnit = Literal["length", "angle"]

@@ -9,11 +9,11 @@ how can't be mirrored.
 from __future__ import annotations
 
 from collections.abc import Container
-from dataclasses import dataclass
 from typing import Any, Protocol, TypeVar, runtime_checkable
 
 from linkwright.elements.points import FRAME
 from linkwright.expressions.fields import Expression, LineOn, Position
+from linkwright.records import dataclass
 
 Made = TypeVar("Made")
 

@@ -8,7 +8,6 @@ inverse dynamics). The law of line and arc is the distance along them, so that i
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from typing import Annotated, Any
 
 import numpy as np
@@ -30,6 +29,7 @@ from linkwright.expressions.written import Fault
 from linkwright.findings import Joined
 from linkwright.notation import Pair
 from linkwright.notation.jets import call
+from linkwright.records import dataclass
 
 AXES = ("x", "y")
 """The coordinates, in the order of the drives that prescribe them."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -27,6 +26,7 @@ from linkwright.expressions.written import FaultWithin
 from linkwright.findings import Joined
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
 from linkwright.notation.planar import turning_axis, unit_vector
+from linkwright.records import dataclass
 
 Turn = Pair
 """A position on a pin: the unit vector (cos, sin) of the link's x axis."""

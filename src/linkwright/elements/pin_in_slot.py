@@ -12,7 +12,6 @@ Practical Guide to Splines (1978), ch. IV (natural splines).
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import Annotated, Any, ClassVar, Literal, Self
 
@@ -45,6 +44,7 @@ from linkwright.findings import Joined
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec
 from linkwright.notation.jets import call, is_zero
 from linkwright.notation.planar import unit_vector
+from linkwright.records import dataclass
 
 MOST = 60
 """The most places that a curve may be given by."""

@@ -17,7 +17,6 @@ ed. (2011), ch. 7 and 9 (pitch circles; relative angles on a carrier, Willis' fo
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -45,6 +44,7 @@ from linkwright.expressions.written import FaultWithin
 from linkwright.findings import Joined
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
 from linkwright.notation.jets import call
+from linkwright.records import dataclass
 
 
 class WheelsEntry(JointEntry):

@@ -8,7 +8,6 @@ is what the drive exerts: a torque between both links (N m), or a force at the p
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -26,6 +25,7 @@ from linkwright.elements.joint import (
 )
 from linkwright.notation import Body, Jet, Pair
 from linkwright.notation.planar import unit_vector
+from linkwright.records import dataclass
 
 
 class Track(NamedTuple):

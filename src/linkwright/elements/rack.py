@@ -17,7 +17,6 @@ Source: G. Niemann, H. Winter, Maschinenelemente II (2003), ch. 21; ISO 21771 (2
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -50,6 +49,7 @@ from linkwright.findings import Joined
 from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
 from linkwright.notation.jets import call, is_zero
 from linkwright.notation.planar import unit_vector
+from linkwright.records import dataclass
 
 PARALLEL = 1e-9
 """The sine of the angle between a rack's line and its guide is below this."""

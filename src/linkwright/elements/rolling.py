@@ -20,7 +20,6 @@ G. Kraige, Engineering Mechanics: Dynamics, 7th ed. (2012), 5/4, 6/4 (rolling)."
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -49,6 +48,7 @@ from linkwright.expressions.written import FaultWithin
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec
 from linkwright.notation.jets import call
 from linkwright.notation.planar import unit_vector
+from linkwright.records import dataclass
 
 
 class Circle(Frozen):

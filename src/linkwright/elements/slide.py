@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, ClassVar
 
@@ -25,6 +24,7 @@ from linkwright.elements.lower_pair import LowerPair, Slopes
 from linkwright.expressions.written import FaultWithin
 from linkwright.findings import Joined
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
+from linkwright.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,6 @@ shear force from the pin, the bending moment from the weld. It is stated as a va
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar
 
 from linkwright.elements.fields import TwoLinks
@@ -30,6 +29,7 @@ from linkwright.expressions.language import Node
 from linkwright.expressions.typed_fields import Quantity
 from linkwright.findings import Finding
 from linkwright.notation import Jet
+from linkwright.records import dataclass
 
 
 class WeldEntry(FollowerEntry):

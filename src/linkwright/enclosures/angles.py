@@ -10,7 +10,6 @@ neither is cut on (interval Newton's method and its tests: Moore, Kearfott, Clou
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from math import factorial
 from typing import Any
 
@@ -19,6 +18,7 @@ from numpy.typing import NDArray
 
 from linkwright.enclosures.forms import FEW, UNIT, AffineForm, joined_forms
 from linkwright.notation.harmonics import ORDERS, WEIGHTS, basis
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 Rows = NDArray[np.intp]

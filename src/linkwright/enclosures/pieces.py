@@ -4,7 +4,6 @@ one beside it differs where the panel reaches into it."""
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from math import perm
 from typing import Any
 
@@ -16,6 +15,7 @@ from linkwright.enclosures.taylor import TaylorModel, along, lift
 from linkwright.laws import Motion, TableLaw
 from linkwright.laws.pieces import Formula, Piece
 from linkwright.notation import Jet
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 Whole = NDArray[np.int64]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -18,6 +17,7 @@ from linkwright.enclosures.intervals import Intervals
 from linkwright.enclosures.taylor import FUNCTIONS, TaylorModel
 from linkwright.graph.program import ExpressionStage
 from linkwright.kernels.operations import OPERATIONS, operation
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 Function = Callable[..., Any]

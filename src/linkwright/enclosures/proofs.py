@@ -7,7 +7,7 @@ the enclosure lies within the limits; it refutes the claim where a value is prov
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +18,7 @@ from linkwright.enclosures.panels import MARGIN, PRECISE
 from linkwright.enclosures.taylor import TaylorModel
 from linkwright.expressions.language import Node
 from linkwright.kernels.change_points import GAP
+from linkwright.records import dataclass
 from linkwright.results import Run
 
 Array = NDArray[np.float64]

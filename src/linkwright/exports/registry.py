@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, ClassVar, Protocol
 
 from pydantic import BaseModel
@@ -11,6 +11,7 @@ from pydantic import BaseModel
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.notation.registry import Registry
+from linkwright.records import dataclass
 from linkwright.studies import RunContext
 from linkwright.studies.sections import read_section
 

@@ -7,7 +7,7 @@ angle is followed apart and leniently (a radian is 1): it steers what bare numbe
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from itertools import count
 from typing import Any
@@ -16,6 +16,7 @@ from linkwright.expressions.language import FUNCTIONS, Binary, Call, Name, Negat
 from linkwright.expressions.system import DimensionSystem, Unknown
 from linkwright.expressions.trees import is_signal, text_of
 from linkwright.expressions.units import ANGLE, PURE, TIME, Dimension, unit, words_of
+from linkwright.records import dataclass
 
 _serial = count(1)
 

@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 from linkwright.expressions.parser import ExpressionError, parse
@@ -33,6 +32,7 @@ from linkwright.expressions.trees import (
 from linkwright.laws.step import step5
 from linkwright.notation import Jet
 from linkwright.notation.jets import call, symbolic
+from linkwright.records import dataclass
 
 __all__ = [
     "FUNCTIONS",

@@ -12,7 +12,7 @@ their own, such as positions, know what their numbers are (``quantities``). :mod
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import Enum
 from typing import Any, NamedTuple
 
@@ -23,6 +23,7 @@ from linkwright.expressions.dimensions import Wanted
 from linkwright.expressions.field_schema import with_kind, with_quantity
 from linkwright.expressions.units import Dimension
 from linkwright.expressions.written import FrozenDict
+from linkwright.records import dataclass
 
 Path = tuple[str | int, ...]
 

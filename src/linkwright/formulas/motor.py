@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from math import pi
 
 import numpy as np
@@ -15,6 +14,7 @@ from linkwright.formulas.evaluate import value
 from linkwright.formulas.pieces import FormulaPiece
 from linkwright.formulas.terms import number
 from linkwright.model.quantities import Quantities
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from itertools import pairwise
 from math import floor
 
@@ -15,6 +14,7 @@ from linkwright.formulas.functions import PiecewiseFunction
 from linkwright.formulas.switches import FORMULAS, SWITCHES
 from linkwright.formulas.terms import MADE, T, affine, function_call, plain
 from linkwright.notation import Jet
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

@@ -8,7 +8,6 @@ the time and the whole turns of an angle that the graph knows from its axis alon
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -20,6 +19,7 @@ from linkwright.expressions.language import FUNCTIONS, Call, Name, Node, is_sign
 from linkwright.expressions.trees import children
 from linkwright.model.signals import Signal
 from linkwright.notation import Scalar, Wrench
+from linkwright.records import dataclass
 
 if TYPE_CHECKING:
     from linkwright.graph.graph import Graph

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
@@ -24,6 +24,7 @@ from linkwright.model.pins import Pin
 from linkwright.model.quantities import Quantities
 from linkwright.model.sketch import Drawn, drawn_rules
 from linkwright.notation import Jet, Pair
+from linkwright.records import dataclass
 from linkwright.structure import Connection, Group, HigherGroup, Structure
 
 

@@ -12,13 +12,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.graph.constraints import Constraints
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

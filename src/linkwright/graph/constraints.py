@@ -7,7 +7,6 @@ A pin states that its links' points coincide, a slide that its lines do (Nikrave
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -18,6 +17,7 @@ from linkwright.graph.geometry import ZERO, Geometry
 from linkwright.notation import Body, Jet, Pair, Vec
 from linkwright.notation.angles import wrapped
 from linkwright.notation.planar import unit_vector
+from linkwright.records import dataclass
 from linkwright.structure import FRAME, Topology
 
 Array = NDArray[np.float64]

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from linkwright.graph.rows import ElementActionRow, Row
 from linkwright.notation import Scalar, Wrench
+from linkwright.records import dataclass
 
 if TYPE_CHECKING:
     from linkwright.graph.graph import Graph

@@ -8,7 +8,7 @@ body that it hangs on is the sum of its wrenches.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import partial, reduce
 
 import casadi as ca
@@ -23,6 +23,7 @@ from linkwright.graph.placing import outer_joint
 from linkwright.groups.linear import Factor
 from linkwright.notation import Body, Pair, Scalar, Wrench
 from linkwright.notation.jets import is_zero
+from linkwright.records import dataclass
 from linkwright.structure import FRAME, Connection, Driven, Group, HigherGroup, LinkPlacement, Wedge
 
 Efforts = dict[str, dict[str, Wrench]]

@@ -7,7 +7,7 @@ all poses. Signals are made when they are asked for.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from typing import Any
 
@@ -24,6 +24,7 @@ from linkwright.model.quantities import Quantities
 from linkwright.model.signals import Signal
 from linkwright.notation import MAX_ORDER
 from linkwright.notation.symbols import column
+from linkwright.records import dataclass
 from linkwright.structure import HigherGroup, Structure
 
 

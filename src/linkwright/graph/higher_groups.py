@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from enum import Enum
 from functools import partial
 from itertools import islice, product
@@ -24,6 +23,7 @@ from linkwright.graph.placing import answered, driven_body, inner_joint, outer_j
 from linkwright.groups.linear import Factor
 from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
 from linkwright.notation.jets import call
+from linkwright.records import dataclass
 from linkwright.structure import Connection, HigherGroup, LinkPlacement
 
 if TYPE_CHECKING:

@@ -12,7 +12,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from copy import copy
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -28,6 +27,7 @@ from linkwright.graph.triads import TriadSystem, place_links
 from linkwright.model.mechanism import FRAME, Drive, Joint, Link, Mechanism
 from linkwright.notation import Body, Jet, Pair, Scalar
 from linkwright.notation.symbols import Symbol, column
+from linkwright.records import dataclass
 from linkwright.structure import Group, HigherGroup, Structure, decompose
 
 AXES = ("x", "y")

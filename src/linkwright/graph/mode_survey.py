@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,7 @@ from linkwright.graph.geometry import ZERO
 from linkwright.graph.modes import Explorer, FoundModes, Mode
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Body, Pair
+from linkwright.records import dataclass
 from linkwright.structure import FRAME, Structure
 
 Array = NDArray[np.float64]

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import partial
 
 import numpy as np
@@ -26,6 +26,7 @@ from linkwright.graph.triads import TriadSystem, coordinates, read_coordinates
 from linkwright.groups import Dyad
 from linkwright.model.quantities import Quantities
 from linkwright.notation import MAX_ORDER, Body, Jet
+from linkwright.records import dataclass
 from linkwright.structure import FRAME, Group, HigherGroup, Step, Structure
 
 Array = NDArray[np.float64]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import partial
 
 from linkwright.elements import Twist
@@ -17,6 +17,7 @@ from linkwright.groups import REGISTRY, Dyad, Solved
 from linkwright.groups.dyad import determinant_of
 from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
 from linkwright.notation.planar import unit_vector
+from linkwright.records import dataclass
 from linkwright.structure import FRAME, Driven, Group, HigherGroup, Step, Structure, Wedge
 
 Branch = Callable[[Group, Dyad], Scalar]

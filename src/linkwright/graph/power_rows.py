@@ -6,7 +6,6 @@ groups were solved by: the principle of virtual power.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from linkwright.graph.actions import wrenches
@@ -15,6 +14,7 @@ from linkwright.graph.power import power_of_wrench, supplied
 from linkwright.graph.rows import ElementActionRow, Row
 from linkwright.notation import Scalar
 from linkwright.notation.jets import call
+from linkwright.records import dataclass
 from linkwright.structure import FRAME
 
 if TYPE_CHECKING:

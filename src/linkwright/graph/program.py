@@ -8,7 +8,6 @@ written out: it keeps its digits, and costs less than a solver called at each po
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -16,6 +15,7 @@ import casadi as ca
 import numpy as np
 
 from linkwright.notation.symbols import column
+from linkwright.records import dataclass
 
 
 class Instruction(NamedTuple):

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from itertools import islice
 from typing import Any
 
@@ -24,6 +23,7 @@ from linkwright.graph.constraints import Constraints
 from linkwright.graph.geometry import Geometry, extent
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.quantities import Quantities
+from linkwright.records import dataclass
 from linkwright.structure import FRAME, Structure, decompose
 
 Array = NDArray[np.float64]

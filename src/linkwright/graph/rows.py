@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 from linkwright.elements.force import Acting
@@ -19,6 +18,7 @@ from linkwright.graph.forces import lever, unit_efforts
 from linkwright.graph.geometry import ZERO
 from linkwright.model.signals import Signal
 from linkwright.notation import Body, Scalar
+from linkwright.records import dataclass
 from linkwright.structure import Structure
 
 if TYPE_CHECKING:

@@ -9,7 +9,6 @@ wrenches that do no work on them (S. Pellegrino, C. R. Calladine 1986).
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -17,6 +16,7 @@ from numpy.typing import NDArray
 
 from linkwright.graph.constraints import Constraints
 from linkwright.model.signals import Contact
+from linkwright.records import dataclass
 from linkwright.structure import FRAME
 
 Array = NDArray[np.float64]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import casadi as ca
@@ -20,6 +20,7 @@ from linkwright.graph.rows import Named
 from linkwright.graph.view import View
 from linkwright.notation import MAX_ORDER, Body, Jet, Pair, Vec, Wrench
 from linkwright.notation.symbols import Symbol
+from linkwright.records import dataclass
 from linkwright.structure import FRAME
 
 Pose = Mapping[str, NDArray[np.float64]]

@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
 from typing import Any
@@ -26,6 +25,7 @@ from linkwright.graph.legs import EQUATIONS, CircleLeg, Fixed, Linear, Row, Tria
 from linkwright.graph.motion import Motion
 from linkwright.graph.placing import outer_joint
 from linkwright.notation import Body, Pair, Scalar
+from linkwright.records import dataclass
 from linkwright.structure import HigherGroup
 
 Array = NDArray[np.float64]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -28,6 +28,7 @@ from linkwright.graph.singular_orders import pole
 from linkwright.model.signals import BREAKAWAY, POWER, Signal
 from linkwright.notation import Body, Jet, Scalar, Vec, Wrench
 from linkwright.notation.symbols import Symbol
+from linkwright.records import dataclass
 from linkwright.structure import FRAME
 
 if TYPE_CHECKING:

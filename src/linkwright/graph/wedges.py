@@ -6,12 +6,12 @@ that slide's line. Motion and forces along the slides follow; how the loop's sli
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from linkwright.elements import InnerLine, OuterLine, Twist
 from linkwright.graph.placing import inner_joint, outer_joint, place_chain
 from linkwright.notation import Jet, Pair, Scalar, Wrench
+from linkwright.records import dataclass
 from linkwright.structure import Wedge
 
 if TYPE_CHECKING:

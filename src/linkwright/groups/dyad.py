@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import ClassVar
 
 from linkwright.elements import Outer, OuterLine, OuterPin, Twist
@@ -18,6 +17,7 @@ from linkwright.elements.lower_pair import LowerPair, Slopes
 from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
 from linkwright.notation.jets import call
 from linkwright.notation.registry import Registry
+from linkwright.records import dataclass
 
 Coordinate = Scalar | Pair
 Carry = Callable[[Body], Body]

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from copy import copy
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
@@ -30,6 +30,7 @@ from linkwright.model.placed_copies import PlacedCopy
 from linkwright.model.plane import LinkagePlane
 from linkwright.model.quantities import Quantities
 from linkwright.model.signals import Signal
+from linkwright.records import dataclass
 from linkwright.structure import Group, HigherGroup, Structure
 
 Array = NDArray[np.float64]

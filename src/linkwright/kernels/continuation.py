@@ -9,7 +9,7 @@ the cubic interpolation of this path.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 
 import numpy as np
@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from linkwright.graph.graph import Graph
 from linkwright.kernels.registry import KERNELS, Kernel
+from linkwright.records import dataclass
 from linkwright.structure import HigherGroup
 
 Array = NDArray[np.float64]

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +20,7 @@ from linkwright.kernels.continuation import CLOSE, PATIENCE, Corrector
 from linkwright.kernels.continuation_paths import NEAR, STRIDE, Place, SamplePaths
 from linkwright.kernels.newton import steps
 from linkwright.kernels.registry import KERNELS, Kernel
+from linkwright.records import dataclass
 from linkwright.structure import HigherGroup
 
 Array = NDArray[np.float64]

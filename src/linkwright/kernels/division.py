@@ -7,11 +7,12 @@ one function to the next lies in numbered rows (of values of poses) and scalars 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from linkwright.kernels.listing import Listing, P, Value, X
 from linkwright.kernels.operations import operation
 from linkwright.kernels.straight_line import Code, whole_power, written
+from linkwright.records import dataclass
 
 SCALAR, SHARED, OWN = "scalar", "shared", "own"
 FORMS = {

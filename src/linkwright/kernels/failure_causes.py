@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,6 +11,7 @@ from numpy.typing import NDArray
 from linkwright.findings import Finding
 from linkwright.graph.assembly import shortfall_at, shortfall_data
 from linkwright.graph.graph import Graph
+from linkwright.records import dataclass
 from linkwright.structure import Group, HigherGroup, Structure
 
 if TYPE_CHECKING:

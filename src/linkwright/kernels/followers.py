@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -15,6 +15,7 @@ from linkwright.kernels.law import Array, DriveLaw, Parameters, must_be_finite
 from linkwright.kernels.motions import StatedMotion
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Jet
+from linkwright.records import dataclass
 
 
 @dataclass(frozen=True)

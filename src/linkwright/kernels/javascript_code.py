@@ -7,10 +7,10 @@ the last bit is used; its other functions differ between browsers.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from itertools import groupby
 
 from linkwright.kernels.recorded_code import ARGUMENT, ENTRY, NUMBER, Named, RecordedCode, Stored, decimal
+from linkwright.records import dataclass
 
 
 @dataclass(frozen=True)

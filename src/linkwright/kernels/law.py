@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,7 @@ from linkwright.expressions.typed_fields import Path
 from linkwright.findings import Finding, ModelError, Term
 from linkwright.model.quantities import LARGEST
 from linkwright.notation import Jet
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 Parameters = Mapping[str, Any]

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import copysign, inf
 
 import casadi as ca
 
 from linkwright.graph.program import ExpressionStage
+from linkwright.records import dataclass
 
 X, P = 1, 2
 """What a value depends on, as bits: the pose's inputs, the parameters."""

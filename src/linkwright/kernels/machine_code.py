@@ -5,7 +5,6 @@ from __future__ import annotations
 import ctypes
 import threading
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from functools import cache
 from importlib.util import find_spec
 from typing import Any
@@ -15,6 +14,7 @@ from numpy.typing import NDArray
 
 from linkwright._machine import needed
 from linkwright.kernels.llvm_code import LlvmCode
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

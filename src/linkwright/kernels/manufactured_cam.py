@@ -14,7 +14,7 @@ of another radius.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from linkwright.elements.cam_contact import CamFollower, cam_followers
 from linkwright.elements.cam_contact.contact import CamPair, base_circle_turns, seat, sense, slant
@@ -28,6 +28,7 @@ from linkwright.laws import Motion
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Jet, Pair, Scalar, Vec
 from linkwright.notation.jets import call, is_zero
+from linkwright.records import dataclass
 
 ORDERS = (0, 0, 0, 1, 3)
 """The orders of Newton's steps from the angle of the cam. Deviations are small, and each step squares what is left; of

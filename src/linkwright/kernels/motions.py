@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import partial
 from math import isfinite, pi
 from typing import Any
@@ -45,6 +45,7 @@ from linkwright.model.sampled import names_in
 from linkwright.notation import Jet, Scalar
 from linkwright.notation.duals import Dual, value_of
 from linkwright.notation.jets import symbolic
+from linkwright.records import dataclass
 
 CLOSE = 1e-9
 """How closely fractions must add up to 1."""

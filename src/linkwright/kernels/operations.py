@@ -7,10 +7,11 @@ one, the name is NumPy's.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from types import MappingProxyType
 
 import casadi as ca
+
+from linkwright.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,6 @@ then all signals. How it joins the programs: ``web/src/program/``.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
 from typing import Any
@@ -37,6 +36,7 @@ from linkwright.kernels.page_inputs import (
 )
 from linkwright.model.conditions import Condition
 from linkwright.model.quantities import LARGEST
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

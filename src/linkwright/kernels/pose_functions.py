@@ -8,13 +8,14 @@ functions are called. No name of an input, parameter or output comes into it.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from linkwright.graph.program import NewtonStage, Program
 from linkwright.kernels.division import FORMS, OWN, SCALAR, Division, Rows
 from linkwright.kernels.listing import Listing
 from linkwright.kernels.recorded_code import RecordedCode
 from linkwright.kernels.straight_line import newton_step, written_out
+from linkwright.records import dataclass
 
 
 @dataclass

@@ -8,7 +8,8 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+
+from linkwright.records import dataclass
 
 DEEPEST = 24
 """The most operations within one another in one expression."""

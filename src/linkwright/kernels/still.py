@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,7 @@ from linkwright.graph.still import StillGraph
 from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.external_inputs import Supply
 from linkwright.kernels.registry import KERNELS
+from linkwright.records import dataclass
 from linkwright.structure import FRAME
 
 Array = NDArray[np.float64]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import chain
 from typing import Any
 
@@ -19,6 +19,7 @@ from linkwright.model.quantities import Quantities
 from linkwright.model.sampled import Sampled, names_in
 from linkwright.notation import Jet, Scalar
 from linkwright.notation.jets import call
+from linkwright.records import dataclass
 
 CLOSE = 1e-9
 """How closely first and last value of a table over a whole period must agree."""

@@ -9,7 +9,7 @@ its caller; ``parameters(p)``, which computes what depends on the parameters alo
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from linkwright.graph.program import ACCEPTED, MOST_STEPS, SOLVED, Program
 from linkwright.kernels.pose_functions import PoseFunctions, Solve
@@ -33,6 +33,7 @@ from linkwright.kernels.webassembly_code import (
     unsigned,
     vector,
 )
+from linkwright.records import dataclass
 
 LONGEST = 2000
 """The most instructions of one function."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 from typing import Any, NamedTuple
@@ -17,6 +16,7 @@ from linkwright.laws.stacked import Stack
 from linkwright.notation import Jet, Scalar
 from linkwright.notation.duals import Dual, slope_of, value_of
 from linkwright.notation.jets import call, symbolic
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import accumulate, pairwise
 from typing import Any, Literal
@@ -18,6 +17,7 @@ from linkwright.laws.segments import MotionError, MotionFault, Segment
 from linkwright.notation import Jet, Scalar
 from linkwright.notation.duals import value_of
 from linkwright.notation.jets import call, symbolic
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

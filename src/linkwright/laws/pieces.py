@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import perm
 from typing import Any, NamedTuple, Protocol
 
@@ -14,6 +14,7 @@ from linkwright.laws.numbers import backward, largest, plain, zero
 from linkwright.notation import Jet, Scalar
 from linkwright.notation.duals import Dual, value_of
 from linkwright.notation.jets import call, symbolic
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -17,6 +16,7 @@ from linkwright.notation import Scalar
 from linkwright.notation.duals import value_of
 from linkwright.notation.jets import call
 from linkwright.notation.registry import Registry
+from linkwright.records import dataclass
 
 
 @dataclass(frozen=True)

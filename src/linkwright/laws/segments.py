@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import pairwise
 from typing import Any, ClassVar, Protocol
 
@@ -17,6 +17,7 @@ from linkwright.laws.registry import Law
 from linkwright.laws.splines import spline
 from linkwright.notation import Scalar
 from linkwright.notation.duals import value_of
+from linkwright.records import dataclass
 
 CLOSEST = 1e-6
 """How close to one another, over a segment, its points may lie."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from math import perm
 from typing import Any
 
@@ -13,6 +13,7 @@ from linkwright.laws.curve import composed, switched
 from linkwright.notation import Jet
 from linkwright.notation.duals import Dual, value_of
 from linkwright.notation.jets import call, symbolic
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,7 @@ from linkwright.expressions.language import Node
 from linkwright.expressions.units import Dimension, unit
 from linkwright.model.bound_window import BoundWindow
 from linkwright.model.quantities import Quantities
+from linkwright.records import dataclass
 from linkwright.reductions import Measure, MeasureKind, figure, kind_of
 
 

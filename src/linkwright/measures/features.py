@@ -9,12 +9,12 @@ to look at: denominators, ``cos(u)`` for ``tan(u)``, ``u`` for ``log``, ``sqrt``
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from enum import Enum
 
 from linkwright.expressions.language import Binary, Call, Name, Negative, Node, Number, is_signal, nodes
 from linkwright.expressions.trees import children
 from linkwright.model.signals import Signal
+from linkwright.records import dataclass
 from linkwright.results.discontinuities import switches
 
 Find = Callable[[Name | Call], Signal]

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from linkwright.expressions.units import Dimension
+from linkwright.records import dataclass
 from linkwright.reductions import FoundFigure, Measure
 
 

@@ -8,7 +8,6 @@ are; or why it can't be taken so. :meth:`LiveMeasure.figures` takes it from samp
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from math import isfinite, nan
 from typing import Any
 
@@ -22,6 +21,7 @@ from linkwright.graph.graph import Graph
 from linkwright.graph.rows import ExpressionRow, Named
 from linkwright.kernels import Compiled
 from linkwright.measures.bound_measure import BoundMeasure, bound_measures
+from linkwright.records import dataclass
 from linkwright.reductions import Interpolant, OnSamples, SampledFigures
 from linkwright.reductions.interpolant import continuous, whole_turns
 from linkwright.reductions.samples import sound, stretches, wrapped

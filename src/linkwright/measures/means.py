@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.measures.sides import Side
+from linkwright.records import dataclass
 from linkwright.results.quadrature import panel_points
 
 Array = NDArray[np.float64]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 
 import numpy as np
@@ -16,6 +16,7 @@ from linkwright.measures.found import MeasureResult
 from linkwright.measures.probe import Probe, Search
 from linkwright.measures.signal_in_run import SignalInRun, require_bounded
 from linkwright.model.bound_window import BoundWindow
+from linkwright.records import dataclass
 from linkwright.reductions import FoundFigure, Unmeasured
 from linkwright.results import Run
 from linkwright.results.windows import intervals

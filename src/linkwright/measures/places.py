@@ -8,7 +8,7 @@ is divided by it changes fast there, over the width in which it doubles.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import partial
 
 import numpy as np
@@ -18,6 +18,7 @@ from linkwright.expressions.language import Call, Name, Node, nodes
 from linkwright.graph.rows import Determinant, ReachRow, Row, spans
 from linkwright.measures.features import Feature, Find, ZeroKind, features
 from linkwright.measures.search import Rates, RunPieces, turning, zeros
+from linkwright.records import dataclass
 from linkwright.results import Run
 from linkwright.results.discontinuities import ASIDE, argument_of, knots, law_joins, positions
 from linkwright.results.discontinuities import zeros as zeros_of

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from itertools import pairwise
 
@@ -16,6 +16,7 @@ from linkwright.measures.places import BreakPlaces, Hard, vague
 from linkwright.measures.search import turning
 from linkwright.measures.sides import Side, Sides
 from linkwright.notation import Jet
+from linkwright.records import dataclass
 from linkwright.reductions import Peak
 from linkwright.results import Run
 from linkwright.results.discontinuities import ASIDE

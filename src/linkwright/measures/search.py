@@ -8,11 +8,11 @@ both sides of places) belong to the grid at every level.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.records import dataclass
 from linkwright.results.stationary import STILL, Rows, roots
 
 Array = NDArray[np.float64]

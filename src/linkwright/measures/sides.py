@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 
 import numpy as np
@@ -21,6 +20,7 @@ from linkwright.expressions.language import FUNCTIONS, Binary, Call, Name, Node,
 from linkwright.expressions.trees import children
 from linkwright.measures.features import Feature, denominator
 from linkwright.measures.germs import EPS, TERMS, Germ, Undecided
+from linkwright.records import dataclass
 from linkwright.results import Run
 
 Array = NDArray[np.float64]

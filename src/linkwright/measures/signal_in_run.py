@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +10,7 @@ from numpy.typing import NDArray
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.units import ANGLE
 from linkwright.measures.probe import Probe, inner
+from linkwright.records import dataclass
 from linkwright.reductions import FoundFigure, Grade, Measure, Peak, ProofKind, Unmeasured
 from linkwright.results.stationary import stationary
 from linkwright.results.windows import Interval, passing

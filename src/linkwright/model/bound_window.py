@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from linkwright.expressions.dimensions import Dimensions
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Node, parse
 from linkwright.expressions.units import ANGLE, TIME, Dimension
+from linkwright.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,6 @@ of which a page makes the same conditions.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from functools import partial
 from itertools import chain
 from typing import Any
@@ -26,6 +25,7 @@ from linkwright.model.places import ExpressionPlace, Scope
 from linkwright.model.quantities import LARGEST, Quantities
 from linkwright.model.walk import QuantityPlace
 from linkwright.notation import Pair
+from linkwright.records import dataclass
 
 CONSTANT = (Scope.CONSTANT, Scope.LOAD)
 """Where constants stand; a load may vary, and is then looked at while it moves."""

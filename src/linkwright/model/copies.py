@@ -8,7 +8,7 @@ are added to it, shifted by ``at``. Copies within sub-assemblies are spelled out
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import Any
 
 from pydantic_core import PydanticCustomError
@@ -39,6 +39,7 @@ from linkwright.model.renamed import Renaming, namespace
 from linkwright.model.shifted import shifted_link, shifted_rule
 from linkwright.model.sketch import Drawn, sketch_faults, with_sketch
 from linkwright.model.walk import all_fields
+from linkwright.records import dataclass
 
 UNMIRRORED = ("parameters", "tables", "laws", "windows", "measures", "require")
 """The sections that have no place in the plane."""

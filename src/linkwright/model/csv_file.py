@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
 
@@ -14,6 +13,7 @@ from linkwright.findings import Finding, Joined, ModelError, Term, capped
 from linkwright.model.encodings import decoded, likely_encoding
 from linkwright.model.input_files import read_beside
 from linkwright.model.quantities import LARGEST
+from linkwright.records import dataclass
 
 Path_ = tuple[str | int, ...]
 

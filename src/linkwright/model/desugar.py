@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 
 from linkwright.findings import Finding
@@ -17,6 +17,7 @@ from linkwright.model.places import find_typed_values
 from linkwright.model.plane import LinkagePlane, in_plane
 from linkwright.model.sketch import drawn_values, sketch_faults, sketch_path, with_sketch
 from linkwright.model.walk import Found
+from linkwright.records import dataclass
 
 Path = tuple[str | int, ...]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 
 from linkwright import gallery
@@ -11,6 +11,7 @@ from linkwright.findings import Finding, ModelError, Term, reason
 from linkwright.model.document import Document, read_document
 from linkwright.model.input_files import read_at_most
 from linkwright.model.yaml_text import MAX_BYTES, Source
+from linkwright.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Container, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from linkwright.expressions.fields import Expression, Position
@@ -25,6 +25,7 @@ from linkwright.model.number_places import NumberPlace, data_at, literal, number
 from linkwright.model.parts import Parameter
 from linkwright.model.quantities import Quantities
 from linkwright.model.walk import ExpressionPlace, references, written_sites
+from linkwright.records import dataclass
 
 CONSTANT = ("parameters", "assembly", "plane", "tables", "require")
 """The sections whose numbers stay: parameters have a name, and the limits of their tolerances follow them; an assembly

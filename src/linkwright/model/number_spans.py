@@ -10,7 +10,6 @@ import io
 import math
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from decimal import Decimal
 from typing import Any
 
@@ -24,6 +23,7 @@ from linkwright.model.named_numbers import NamedNumbers
 from linkwright.model.number_places import NumberPlace, literal, number_places
 from linkwright.model.placed_copies import Placed
 from linkwright.model.yaml_text import read_text
+from linkwright.records import dataclass
 
 _NUMBER = re.compile(r"(?:[-+−]\s*)*(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 _SIGNS = re.compile(r"[-+−\s]*")

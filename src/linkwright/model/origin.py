@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from datetime import UTC, datetime
 from hashlib import sha256
 from pathlib import Path
@@ -15,6 +15,7 @@ from linkwright import _version
 from linkwright.findings import ModelError
 from linkwright.model.input_files import read_beside
 from linkwright.model.mechanism import Mechanism, scopes
+from linkwright.records import dataclass
 
 DIGITS = 12
 """So many hex digits of a hash are shown to people."""

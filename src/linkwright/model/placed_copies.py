@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Container, Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from linkwright.expressions.fields import FrozenDict
 from linkwright.findings import Finding
@@ -11,6 +11,7 @@ from linkwright.model.cylinders import with_cylinders
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.renamed import NAMESPACES, Renaming, namespace
 from linkwright.model.sections import Sections
+from linkwright.records import dataclass
 
 Path = tuple[str | int, ...]
 

@@ -8,7 +8,6 @@ projected onto it. The plane holds at the nominal parameters; coordinates in it 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from itertools import chain, combinations
 from typing import Any
 
@@ -24,6 +23,7 @@ from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.parts import Link, Parameter
 from linkwright.model.pins import pins
 from linkwright.model.quantities import LARGEST, Quantities
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 from pydantic import BaseModel
@@ -20,6 +20,7 @@ from linkwright.expressions.typed_fields import Named
 from linkwright.model.number_places import span_of_part
 from linkwright.model.references import KINDS
 from linkwright.model.walk import Spec, all_fields
+from linkwright.records import dataclass
 
 _MARK = "name_that_no_file_has"
 EXPRESSION = Named(parts=lambda text: [(0, len(text))])

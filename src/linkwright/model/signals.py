@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 from linkwright.elements.force import Acting
@@ -19,6 +18,7 @@ from linkwright.findings import Joined, Term
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.pins import pins
 from linkwright.model.slides import in_loops
+from linkwright.records import dataclass
 
 _PLANE = ("x", "y")
 _RATES = (("", u.LENGTH), ("v", u.SPEED), ("a", u.ACCELERATION), ("j", u.JERK))

@@ -10,7 +10,6 @@ from __future__ import annotations
 import types
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
 from functools import cache, partial
 from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, Union, get_args, get_origin
 
@@ -31,6 +30,7 @@ from linkwright.expressions.typed_fields import (
 )
 from linkwright.expressions.units import Dimension
 from linkwright.expressions.written import Shortened
+from linkwright.records import dataclass
 
 if TYPE_CHECKING:
     from linkwright.model.mechanism import Mechanism

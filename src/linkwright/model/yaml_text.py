@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import math
 import re
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import pairwise
 from typing import Any
 
@@ -13,6 +13,7 @@ from linkwright.expressions.full_width import TO_ASCII
 from linkwright.expressions.written import MAX_TEXT, NO_TEXT
 from linkwright.findings import Finding, Term
 from linkwright.model.encodings import decoded, likely_encoding
+from linkwright.records import dataclass
 
 MAX_BYTES = 1_000_000
 MAX_DEPTH = 24

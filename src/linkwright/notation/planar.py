@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import NamedTuple
 
 from linkwright.notation.jets import Jet, Scalar, call, is_zero, leibniz
+from linkwright.records import dataclass
 
 
 class Pair(NamedTuple):

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from hashlib import blake2s
 from typing import Any
@@ -17,6 +16,7 @@ from linkwright.findings import Said, Text
 from linkwright.presentation.cells import Cell, NumberCell
 from linkwright.presentation.chart_data import ChartData
 from linkwright.presentation.charts import Content
+from linkwright.records import dataclass
 from linkwright.words import LANGUAGES, in_language, language
 
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from math import isfinite
 
 from linkwright.escape import printed
 from linkwright.findings import Said, Text
+from linkwright.records import dataclass
 
 UNKNOWN = "–"
 """What stands for a number that there isn't."""

@@ -6,13 +6,13 @@ Numbers are in the units of their axes, NaN where there is none; texts are those
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.findings import Text
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

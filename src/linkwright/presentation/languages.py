@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 from linkwright.escape import markup, unmarked
 from linkwright.findings import Said
 from linkwright.presentation.payload import data_block
+from linkwright.records import dataclass
 from linkwright.words import LANGUAGES, in_language, language
 
 _TAG = re.compile(r"<[^>]*>")

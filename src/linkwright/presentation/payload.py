@@ -5,10 +5,10 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from linkwright.escape import script
 from linkwright.findings import Said
+from linkwright.records import dataclass
 
 DIGITS = 7
 """Significant digits of a number in the page: finer than any screen or print resolves."""

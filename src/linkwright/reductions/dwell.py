@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from math import isinf
 from typing import Annotated, Any
@@ -15,6 +14,7 @@ from linkwright.expressions.fields import Expression
 from linkwright.expressions.typed_fields import Quantity, Sign
 from linkwright.expressions.units import TIME
 from linkwright.expressions.written import Fault
+from linkwright.records import dataclass
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import SIGNAL, Measure, of_signal
 from linkwright.reductions.figures import FoundFigure

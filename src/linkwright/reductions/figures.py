@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.records import dataclass
 from linkwright.reductions.grades import SAMPLED, Grade
 
 Array = NDArray[np.float64]

@@ -7,12 +7,13 @@ A page computes signals at some hundreds of times whenever a dimension moves. Th
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import pairwise
 from math import floor, isfinite, pi
 from typing import NamedTuple
 
 from linkwright.expressions.fields import Expression
+from linkwright.records import dataclass
 from linkwright.reductions.interpolant import Interpolant, turned_levels
 
 Interval = tuple[float, float]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from math import floor, pi
 from typing import Annotated, Any
 
@@ -16,6 +15,7 @@ from linkwright.expressions.fields import Expression, FrozenDict, fault, parse_t
 from linkwright.expressions.typed_fields import Named
 from linkwright.expressions.written import Fault, short_text
 from linkwright.findings import Said
+from linkwright.records import dataclass
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import SIGNAL, Measure
 from linkwright.reductions.figures import Figures, FoundFigure, Unmeasured

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import partial
 from typing import Any
 from urllib.parse import quote
@@ -13,6 +12,7 @@ from linkwright.escape import markup
 from linkwright.findings import Said
 from linkwright.model.origin import Origin
 from linkwright.presentation.html_file import html_file
+from linkwright.records import dataclass
 from linkwright.words import say
 
 

@@ -4,7 +4,6 @@ signal each measure is of."""
 from __future__ import annotations
 
 from collections.abc import Container, Iterable, Sequence
-from dataclasses import dataclass
 from itertools import groupby
 
 from linkwright.escape import printed
@@ -12,6 +11,7 @@ from linkwright.expressions.language import Call, Name, Negative, Node, is_signa
 from linkwright.expressions.units import ANGLE, LENGTH
 from linkwright.measures import BoundMeasure
 from linkwright.model.signals import Signal
+from linkwright.records import dataclass
 from linkwright.report.data import MeasuredSignal, SignalOwner
 from linkwright.results import Result
 

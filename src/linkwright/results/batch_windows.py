@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
@@ -12,6 +11,7 @@ from numpy.typing import NDArray
 from linkwright.expressions.language import Node
 from linkwright.graph.rows import WindowRow
 from linkwright.model.bound_window import BoundWindow
+from linkwright.records import dataclass
 from linkwright.results.batch_run import Bunch, Who
 from linkwright.results.discontinuities import sides
 from linkwright.results.windows import passed, stretches_inside

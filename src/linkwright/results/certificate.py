@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -12,6 +10,7 @@ from linkwright.findings import Joined, Term
 from linkwright.graph.rows import determinants, spans
 from linkwright.kernels.kernel_selection import KernelChoice, choose
 from linkwright.model.signals import BREAKAWAY
+from linkwright.records import dataclass
 from linkwright.results.breakaway import creeping, efforts, starting
 from linkwright.results.independent_check import Reports
 from linkwright.results.quadrature import panel_points

@@ -9,7 +9,7 @@ from __future__ import annotations
 import io
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from linkwright.expressions.units import TIME, Dimension
 from linkwright.model.csv_text import head, numbers_text
+from linkwright.records import dataclass
 
 if TYPE_CHECKING:
     from linkwright.findings import Finding

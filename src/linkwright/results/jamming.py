@@ -9,7 +9,6 @@ nothing.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
@@ -17,6 +16,7 @@ from numpy.typing import NDArray
 
 from linkwright.graph.force_rows import FrictionNumber
 from linkwright.kernels import Compiled
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

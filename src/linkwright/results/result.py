@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -19,6 +19,7 @@ from linkwright.expressions.respelled import syntax_fault
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, ModelError, Term
 from linkwright.model.output_files import write_aside
+from linkwright.records import dataclass
 from linkwright.results.certificate import Certificate
 from linkwright.results.dataset import Dataset, Variable, described, si_unit, times, variable_of
 from linkwright.results.run import Run

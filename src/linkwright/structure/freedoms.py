@@ -9,10 +9,10 @@ that find no freedom name what is held too much, and freedoms that no row takes 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 
 from linkwright.model.slides import closing
+from linkwright.records import dataclass
 from linkwright.structure.orientation import BODY, Orientation
 from linkwright.structure.topology import PIN, Connection, Topology
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import islice
 
+from linkwright.records import dataclass
 from linkwright.structure.topology import Connection, Topology
 
 MOST = 1000

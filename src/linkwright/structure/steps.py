@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
 from linkwright.findings import Finding
 from linkwright.groups import REGISTRY, Dyad
+from linkwright.records import dataclass
 from linkwright.structure.topology import Connection, Topology
 
 

@@ -7,7 +7,7 @@ motion goes over from one to the other: the root of the reach changes sign.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,7 @@ from linkwright.graph.rows import Named, ReachRow
 from linkwright.kernels import Compiled
 from linkwright.kernels.change_points import GAP, Passage, Passages, unwrapped
 from linkwright.notation.angles import wrapped
+from linkwright.records import dataclass
 from linkwright.results import Run
 from linkwright.studies.assembly_checks import TOUCH, drive_value, touching
 

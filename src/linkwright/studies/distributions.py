@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from functools import reduce
 from operator import or_
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar
@@ -23,6 +22,7 @@ from linkwright.expressions.fields import Expression, Frozen, TypedParts, Writte
 from linkwright.expressions.written import Fault, fault, unexpected
 from linkwright.findings import Joined
 from linkwright.notation.registry import Registry
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 Place = tuple[str | int, ...]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -14,6 +13,7 @@ from linkwright.findings import Said, Text
 from linkwright.kernels import Compiled
 from linkwright.kernels.parameter_batch import Varied
 from linkwright.measures import BoundMeasure
+from linkwright.records import dataclass
 from linkwright.results import Run
 from linkwright.results.dataset import Variable, si_unit
 from linkwright.studies.batch_plan import Measuring

@@ -4,12 +4,12 @@ place of a shared grid."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.language import Node
+from linkwright.records import dataclass
 from linkwright.results.batch_run import Bunch, Who
 from linkwright.results.batch_windows import Spans
 from linkwright.results.discontinuities import ASIDE

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar, Protocol, runtime_checkable
 
@@ -17,6 +16,7 @@ from linkwright.model.mechanism import Mechanism
 from linkwright.notation.registry import Registry
 from linkwright.plugins import load
 from linkwright.presentation.blocks import FileOf, StudyReport
+from linkwright.records import dataclass
 from linkwright.results import Result
 from linkwright.studies.run_context import RunContext
 from linkwright.studies.sections import read_section

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from linkwright.model.document import Document
+from linkwright.records import dataclass
 
 if TYPE_CHECKING:
     from linkwright.blocks import Progress, Runner

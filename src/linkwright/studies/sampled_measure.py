@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from linkwright.expressions.language import Node
 from linkwright.measures import BoundMeasure, measure_all
 from linkwright.model.bound_window import BoundWindow
+from linkwright.records import dataclass
 from linkwright.reductions import Figures, Measure
 from linkwright.results.batch_run import Bunch, What
 from linkwright.results.batch_windows import Spans, Windows, spans

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import closing
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +17,7 @@ from linkwright.kernels import KERNELS
 from linkwright.kernels.kernel_selection import KernelChoice, choose
 from linkwright.measures import BoundMeasure, bound_measures
 from linkwright.model.origin import table_files
+from linkwright.records import dataclass
 from linkwright.results import Run
 from linkwright.studies.assembly_checks import singular, unassembled
 from linkwright.studies.change_point_carry import carry_through_change_points

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +13,7 @@ from linkwright.blocks.checkpoint import unsaved
 from linkwright.blocks.store import Stored, Variable
 from linkwright.blocks.work import Arrays
 from linkwright.findings import Finding, ModelError
+from linkwright.records import dataclass
 from linkwright.studies.run_context import RunContext
 from linkwright.studies.sampling_output import Samples
 from linkwright.studies.sampling_task import SampleTask, SampleWork

@@ -6,7 +6,6 @@ import hashlib
 import json
 from collections.abc import Mapping, Sequence
 from contextlib import nullcontext
-from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -28,6 +27,7 @@ from linkwright.model.document import Document, plain
 from linkwright.model.places import ExpressionPlace
 from linkwright.model.temporary import temporary_folder
 from linkwright.notation.angles import whole_turns
+from linkwright.records import dataclass
 from linkwright.results import Run
 from linkwright.results.dataset import si_unit
 from linkwright.studies.cycle.options import span

@@ -7,8 +7,9 @@ those of a Latin hypercube have at most n/(n - 1) times their variance (Owen, SI
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import sqrt
+
+from linkwright.records import dataclass
 
 CONFIDENCE = 0.95
 

@@ -7,12 +7,12 @@ the limits.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.notation.registry import Registry
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

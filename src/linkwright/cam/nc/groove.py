@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from itertools import accumulate
 from typing import Any
@@ -21,6 +21,7 @@ from linkwright.cam.disc import TURN, Disc
 from linkwright.cam.nc.job import MillingJob, Pass, side, way
 from linkwright.cam.nc.lead_in import around, beyond, leads, path_ends, share
 from linkwright.cam.nc.path import CutterPath, Element
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from linkwright.cam.disc import Disc
 from linkwright.cam.nc.lead_in import around
 from linkwright.cam.nc.path import CutterPath, Element
+from linkwright.records import dataclass
 
 
 @dataclass(frozen=True)

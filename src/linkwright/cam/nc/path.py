@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.cam.disc import TURN, Disc, DiscJets
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +14,7 @@ from linkwright.cam.nc.reader import Move, NCFault, read
 from linkwright.cam.nc.swept import NothingLeft, Swept, swept
 from linkwright.cam.nc.track import Tight
 from linkwright.cam.rolling import rolled, rolled_within
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

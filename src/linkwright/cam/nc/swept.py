@@ -7,7 +7,6 @@ is then moved to where it is as far as the cutter's radius from the nearest plac
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 from typing import Any
@@ -17,6 +16,7 @@ from numpy.typing import NDArray
 
 from linkwright.cam.nc.reader import Move
 from linkwright.cam.nc.track import PieceTrack, TrackPiece, chains, pieces
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

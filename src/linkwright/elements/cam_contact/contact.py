@@ -13,7 +13,6 @@ arrays, duals and symbols alike.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import pi
 from typing import TYPE_CHECKING
 
@@ -23,6 +22,7 @@ from linkwright.expressions.language import Binary, Call, Name, Node, Number
 from linkwright.notation import Pair, Scalar, Wrench
 from linkwright.notation.jets import call
 from linkwright.notation.planar import angle_near, unit_vector
+from linkwright.records import dataclass
 
 if TYPE_CHECKING:
     from linkwright.elements.cam_contact.follower import CamFollower

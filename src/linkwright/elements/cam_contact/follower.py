@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from linkwright.elements.cam_contact import contact as contacts
@@ -33,6 +32,7 @@ from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding
 from linkwright.laws import Motion
 from linkwright.notation import Jet, Pair, Scalar
+from linkwright.records import dataclass
 
 
 @register_follower

@@ -24,7 +24,6 @@ numbers, arrays, duals, enclosures and symbols alike.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import isfinite, pi
 from typing import TYPE_CHECKING
 
@@ -36,6 +35,7 @@ from linkwright.notation import Jet, Pair, Scalar, Wrench
 from linkwright.notation.duals import value_of
 from linkwright.notation.jets import call
 from linkwright.notation.planar import angle_near
+from linkwright.records import dataclass
 
 if TYPE_CHECKING:
     from linkwright.elements.follower import PoseQuery

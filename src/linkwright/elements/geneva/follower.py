@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from linkwright.elements.curves import Curve
@@ -33,6 +32,7 @@ from linkwright.expressions.typed_fields import Path
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, Said
 from linkwright.notation import Jet, Scalar
+from linkwright.records import dataclass
 
 
 @register_follower

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.exports.mjcf.tree import Hold, JointTree
 from linkwright.kernels import Compiled
+from linkwright.records import dataclass
 from linkwright.results import Run
 from linkwright.structure import FRAME
 

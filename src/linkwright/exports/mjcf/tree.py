@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterable
-from dataclasses import dataclass
 
+from linkwright.records import dataclass
 from linkwright.structure import FRAME, Topology
 from linkwright.structure.topology import Connection
 

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from xml.etree import ElementTree as ET
 
 import numpy as np
@@ -19,6 +18,7 @@ from linkwright.exports.mjcf.tree import Hold, JointTree
 from linkwright.graph.geometry import Geometry, extent
 from linkwright.kernels import Compiled
 from linkwright.notation import Pair
+from linkwright.records import dataclass
 from linkwright.structure import FRAME
 from linkwright.words import say
 

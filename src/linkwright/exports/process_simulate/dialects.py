@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
@@ -18,6 +17,7 @@ from linkwright.exports.process_simulate.trees import Array, Tree, add, call, di
 from linkwright.exports.process_simulate.vectors import Angle, Vector, cosine, sine
 from linkwright.findings import Finding, Joined
 from linkwright.notation.registry import Registry
+from linkwright.records import dataclass
 
 CLEAR = 0.05
 """How far a direction stays from where its function ends (rad), wherever the paper's plain form does that."""

@@ -7,7 +7,6 @@ that the driving joint holds on each other.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import ClassVar
 
 from linkwright.exports.process_simulate.dialects import Dialect, Triangle
@@ -16,6 +15,7 @@ from linkwright.exports.process_simulate.trees import Tree, add, call, divide, m
 from linkwright.exports.process_simulate.vectors import Angle, Vector, cosine, sine
 from linkwright.notation import Pair
 from linkwright.notation.registry import Registry
+from linkwright.records import dataclass
 from linkwright.structure import Chain, Connection, Group
 
 STRAIGHT = 1e-12

@@ -13,10 +13,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 Value = Callable[[Mapping[str, Array]], Array]

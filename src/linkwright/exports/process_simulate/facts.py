@@ -4,7 +4,7 @@ the area that the panel sweeps."""
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import pairwise
 from typing import Annotated, Any
 
@@ -24,6 +24,7 @@ from linkwright.kernels.law import DriveLaw
 from linkwright.kernels.laws import uniform, values_at
 from linkwright.model.references import option_faults
 from linkwright.presentation.json_numbers import known
+from linkwright.records import dataclass
 from linkwright.structure import FRAME
 from linkwright.studies.drive_sweep import Sweep, sweeping
 from linkwright.studies.limits.extremes import Transmission, transmission

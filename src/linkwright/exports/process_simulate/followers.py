@@ -4,7 +4,6 @@ times 0 elsewhere, which comparisons say."""
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import pairwise
 from math import floor, pi
 
@@ -16,6 +15,7 @@ from linkwright.exports.process_simulate.linkage import MM
 from linkwright.exports.process_simulate.motion import ToolMotion
 from linkwright.exports.process_simulate.trees import Tree, add, call, joint, multiply, number
 from linkwright.laws.pieces import Piece, SmoothPart
+from linkwright.records import dataclass
 
 FITTED, HALVED, SAMPLES = 1e-10, 6, 64
 """A formula of the file's own becomes polynomials within this (rad or mm): times it is halved, places of each part."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import partial
 
 import numpy as np
@@ -28,6 +28,7 @@ from linkwright.findings import Finding, Joined
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
+from linkwright.records import dataclass
 from linkwright.structure import HigherGroup
 
 DESIGNED, PROVEN = 720, 2000

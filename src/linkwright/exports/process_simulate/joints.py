@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
 
+from linkwright.records import dataclass
 from linkwright.structure import FRAME, Driven, Group, Structure
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from linkwright.exports.process_simulate.vectors import Angle, Arm, Vector
 from linkwright.findings import Finding, Joined, enumerated
 from linkwright.graph.geometry import Geometry
 from linkwright.notation import Pair
+from linkwright.records import dataclass
 from linkwright.structure import FRAME, Connection, Group, Structure, Wedge
 
 MM = 1000.0

@@ -7,7 +7,7 @@ mechanism decomposed anew, with that joint driven; they are held to the motion o
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -25,6 +25,7 @@ from linkwright.graph.motion import solve_motion, solve_step
 from linkwright.groups import Dyad
 from linkwright.kernels import Compiled
 from linkwright.notation import Body, Jet, Pair, Scalar
+from linkwright.records import dataclass
 from linkwright.results.stationary import bracketed, crossings
 from linkwright.structure import Group, Structure, decompose
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from linkwright.exports.process_simulate.linkage import MM
 from linkwright.exports.process_simulate.reach import DriveReach
 from linkwright.exports.process_simulate.trees import Array
 from linkwright.kernels import Compiled
+from linkwright.records import dataclass
 from linkwright.results import Run
 from linkwright.structure import FRAME, Group, Structure
 from linkwright.studies.drive_sweep import sweeping

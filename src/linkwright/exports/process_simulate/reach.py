@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 from linkwright.findings import Finding, Joined, Text
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
+from linkwright.records import dataclass
 from linkwright.studies.limits.extremes import touches
 from linkwright.studies.limits.ranges import Range, ranges
 

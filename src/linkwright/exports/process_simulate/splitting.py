@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from linkwright.exports.process_simulate.trees import Tree, add, joint, multiply, number
+from linkwright.records import dataclass
 
 Size = Callable[[Tree], int]
 Start = Callable[[Tree], float]

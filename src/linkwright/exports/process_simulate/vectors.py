@@ -5,9 +5,9 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 
 from linkwright.exports.process_simulate.trees import ZERO, Tree, add, call, multiply, number
+from linkwright.records import dataclass
 
 TINY = 1e-13
 """An arm shorter than this share of the others is none."""

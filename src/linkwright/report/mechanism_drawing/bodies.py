@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.records import dataclass
 from linkwright.report.data import LinkData
 from linkwright.report.mechanism_drawing.joints import HEIGHT, LENGTH, Guide, Side, in_cylinder
 from linkwright.report.mechanism_drawing.shapes import UNSEEN, hull, line, outline

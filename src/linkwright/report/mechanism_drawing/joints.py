@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from math import cos, inf, pi, sin
 
 import numpy as np
 
+from linkwright.records import dataclass
 from linkwright.report.data import JointData, Scene
 from linkwright.report.mechanism_drawing.poses import Poses
 

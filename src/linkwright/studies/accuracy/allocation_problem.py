@@ -10,12 +10,12 @@ of coefficients of a target :math:`T` asks for
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.records import dataclass
 from linkwright.studies.accuracy.costs import CostLaw, Stepped
 
 Array = NDArray[np.float64]

@@ -12,11 +12,12 @@ leverages and studentised residuals are those of the linear model at the estimat
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 Model = Callable[[Array], tuple[Array, Array]]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +10,7 @@ from numpy.typing import NDArray
 from linkwright.expressions.language import parse
 from linkwright.findings import Finding, Joined, Term
 from linkwright.measures import BoundMeasure
+from linkwright.records import dataclass
 from linkwright.studies.accuracy.clearance import PATH, Plays
 from linkwright.studies.accuracy.derivatives import Derivatives, Deviated
 from linkwright.studies.accuracy.options import AccuracyOptions

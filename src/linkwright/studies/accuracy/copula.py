@@ -9,7 +9,7 @@ chosen so that the *deviations* have the stated coefficients (Pearson's). It's w
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cache
 from math import asin, pi, sin, sqrt
 
@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.findings import Finding, Joined
+from linkwright.records import dataclass
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
 
 Array = NDArray[np.float64]

@@ -11,7 +11,6 @@ from __future__ import annotations
 import re
 from abc import abstractmethod
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import cached_property, reduce
 from operator import or_
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Protocol
@@ -25,6 +24,7 @@ from linkwright.expressions.fields import Frozen, fault
 from linkwright.expressions.written import plain_number, unexpected
 from linkwright.findings import Joined
 from linkwright.notation.registry import Registry
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 Slopes = tuple[float, float]

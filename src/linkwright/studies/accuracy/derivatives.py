@@ -9,7 +9,6 @@ theorem.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +17,7 @@ from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Node
 from linkwright.measures import BoundMeasure, Measurer, Probe, SignalInRun
 from linkwright.model.bound_window import BoundWindow
+from linkwright.records import dataclass
 from linkwright.reductions import Derivative, Local
 from linkwright.results import Run
 from linkwright.results.quadrature import gauss_points

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from statistics import NormalDist
 from typing import Any
 
@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from linkwright.findings import Said, Text
 from linkwright.presentation.json_numbers import known
+from linkwright.records import dataclass
 from linkwright.studies.accuracy.outcome import AccuracyOutcome, OutputDeviations, SignalDeviations
 
 Array = NDArray[np.float64]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +19,7 @@ from linkwright.expressions.unknown import near
 from linkwright.findings import Finding, Joined, ModelError
 from linkwright.kernels import Compiled
 from linkwright.model.csv_file import finite, listed, read_csv
+from linkwright.records import dataclass
 from linkwright.results import Run
 from linkwright.results.stationary import bracketed
 from linkwright.studies.numbers import constant, positive

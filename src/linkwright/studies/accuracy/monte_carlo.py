@@ -6,7 +6,7 @@ The same work as a sweep's: atoms that any runner performs, to the same bits, an
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from linkwright.findings import Finding
 from linkwright.kernels.kernel_selection import KernelChoice
 from linkwright.measures import BoundMeasure
+from linkwright.records import dataclass
 from linkwright.results import Run
 from linkwright.studies.accuracy import intervals
 from linkwright.studies.accuracy.contributors import Contributors

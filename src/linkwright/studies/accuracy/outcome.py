@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, Text
 from linkwright.kernels import Compiled
+from linkwright.records import dataclass
 from linkwright.results import Result, Run
 from linkwright.results.dataset import Dataset, Variable, described, si_unit, times
 from linkwright.studies.accuracy.contributors import Contributors

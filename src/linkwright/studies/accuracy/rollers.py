@@ -7,7 +7,6 @@ another radius does.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from linkwright.elements.cam_contact import cam_followers
@@ -16,6 +15,7 @@ from linkwright.elements.clearance import AnyDirection, Axis, Known, Rows
 from linkwright.expressions.language import FUNCTIONS
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
+from linkwright.records import dataclass
 
 
 def rollers(compiled: Compiled) -> dict[str, str]:

@@ -12,11 +12,12 @@ a bound is a sum of the least terms of what isn't chosen yet.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.records import dataclass
 from linkwright.studies.accuracy.allocation_problem import SLACK, Problem
 
 Array = NDArray[np.float64]

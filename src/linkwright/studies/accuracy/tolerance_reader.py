@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -14,6 +13,7 @@ from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model.tolerances import Spread, full_tolerance
+from linkwright.records import dataclass
 from linkwright.studies.accuracy.parameter_chain import derived
 from linkwright.studies.accuracy.stated_options import DeviationOptions
 from linkwright.studies.numbers import constant

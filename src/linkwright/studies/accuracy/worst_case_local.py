@@ -7,10 +7,12 @@ by a pattern search (Hooke and Jeeves, J. ACM 8 (1961) 212-229) that tries all c
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 from numpy.typing import NDArray
+
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 Evaluate = Callable[[Array], Mapping[str, Array]]

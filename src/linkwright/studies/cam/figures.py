@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from linkwright.expressions import units as u
+from linkwright.records import dataclass
 
 Range = tuple[float, float]
 

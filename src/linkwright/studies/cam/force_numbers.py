@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from linkwright.cam.contact import ContactPlace
 from linkwright.cam.disc import Disc
@@ -14,6 +13,7 @@ from linkwright.elements.cam_contact import cam_followers
 from linkwright.expressions import units as u
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
+from linkwright.records import dataclass
 from linkwright.studies.cam.figures import along_lift, of_forces
 from linkwright.studies.cam.force_options import CamForces, CamMaterial
 from linkwright.studies.cam.stated_load import stated_load

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 
 from linkwright.cam.checks import CamCheck
@@ -13,6 +13,7 @@ from linkwright.cam.extremes import CamExtreme
 from linkwright.cam.hertz import Pressure, pressure, rolling
 from linkwright.cam.loads import CamForces, FollowerLoads, forces
 from linkwright.cam.springs import Sized, highest_speed, least_preload, least_rate
+from linkwright.records import dataclass
 from linkwright.studies.cam.force_numbers import FollowerForces
 
 SHORT = 1e-6

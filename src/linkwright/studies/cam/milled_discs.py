@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from linkwright.cam.cams_of_mechanism import Frame
 from linkwright.cam.disc import Disc
@@ -16,6 +16,7 @@ from linkwright.cam.nc.preflight import faults, warnings
 from linkwright.cam.nc.proof import NCProof, prove
 from linkwright.cam.nc.reader import Move, NCFault, read
 from linkwright.findings import Finding
+from linkwright.records import dataclass
 from linkwright.studies.cam.options import PATH
 
 AT = (*PATH, "nc")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 
 from linkwright.cam.checks import CamCheck
@@ -15,6 +15,7 @@ from linkwright.expressions import units as u
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.laws import Motion
+from linkwright.records import dataclass
 from linkwright.results import Result, Run
 from linkwright.studies.cam.figures import CamFigure
 from linkwright.studies.cam.forces import Pressed

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +15,7 @@ from linkwright.escape import markup
 from linkwright.expressions import units as u
 from linkwright.findings import Said, Text
 from linkwright.presentation.lettering import FONT
+from linkwright.records import dataclass
 from linkwright.studies.cam.outcome import CamOutcome
 
 Array = NDArray[np.float64]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 
 import numpy as np
@@ -19,6 +19,7 @@ from linkwright.cam.nc.path import Element
 from linkwright.cam.splines import Spline
 from linkwright.findings import Term
 from linkwright.notation import Jet
+from linkwright.records import dataclass
 from linkwright.studies.cam.figures import SECOND
 from linkwright.studies.cam.milled_discs import Milled
 from linkwright.studies.cam.stated_dimensions import CamRequirements

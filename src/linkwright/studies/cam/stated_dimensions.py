@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from linkwright.cam.checks import CamLimits
 from linkwright.cam.disc import Disc
@@ -19,6 +19,7 @@ from linkwright.expressions.unknown import unknown
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.model.walk import QuantityPlace, sites
+from linkwright.records import dataclass
 from linkwright.studies.cam.figures import FIGURES, OF_FACE, OF_ROLLER, SECOND, Range, closed_by, every, of_forces
 from linkwright.studies.cam.force_numbers import FollowerForces, available_figures, read
 from linkwright.studies.cam.milled_discs import as_finding

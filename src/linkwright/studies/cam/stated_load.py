@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -26,6 +25,7 @@ from linkwright.model.names import Names
 from linkwright.model.places import ExpressionPlace, Scope
 from linkwright.model.quantities import LARGEST
 from linkwright.notation import Jet
+from linkwright.records import dataclass
 from linkwright.results.discontinuities import joins, knots, switches
 from linkwright.results.stationary import crossings
 from linkwright.studies.cam.force_options import ANGLE, LIFT, load_names

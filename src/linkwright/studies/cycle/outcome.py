@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from linkwright.findings import Finding
 from linkwright.measures import MeasureResult
+from linkwright.records import dataclass
 from linkwright.results import Result
 from linkwright.studies.cycle.overview import Overview, overview
 

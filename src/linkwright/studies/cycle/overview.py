@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,6 +12,7 @@ from linkwright.expressions.language import parse
 from linkwright.expressions.units import ANGLE, TIME, Dimension
 from linkwright.measures.probe import Probe, Search
 from linkwright.measures.together import look_ahead, mean_squares
+from linkwright.records import dataclass
 from linkwright.reductions.figures import Peak
 from linkwright.results import Run
 from linkwright.results.windows import intervals

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
@@ -14,6 +13,7 @@ from linkwright.expressions.units import Dimension
 from linkwright.graph.rows import Determinant, Span, reaches
 from linkwright.measures.features import features
 from linkwright.measures.probe import OneSidedLimits, Search
+from linkwright.records import dataclass
 from linkwright.results import Run
 from linkwright.results.run import BLIND
 from linkwright.results.stationary import magnitude, stationary

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
+from linkwright.records import dataclass
 from linkwright.results import Result, Run
 from linkwright.studies.limits.extremes import ModeChange, SignalCourse, Transmission
 from linkwright.studies.limits.four_links import FourLinks

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +13,7 @@ from linkwright.findings import Finding
 from linkwright.graph.rows import Determinant, ReachRow
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
+from linkwright.records import dataclass
 from linkwright.results import Run
 from linkwright.results.stationary import crossings
 from linkwright.structure import Group, HigherGroup

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding
 from linkwright.kernels import Still
+from linkwright.records import dataclass
 from linkwright.results import Result, Run
 
 

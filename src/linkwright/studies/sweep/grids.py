@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property, partial
 from itertools import product
 from math import prod
@@ -15,6 +14,7 @@ from linkwright.drawing.levels import band_stops, levels_of
 from linkwright.findings import Said
 from linkwright.presentation.blocks import Chart, Slider
 from linkwright.presentation.charts import Axis, Dots, Field, Graph, Layer, Limit, Line, Plane, Row, Spots
+from linkwright.records import dataclass
 from linkwright.studies.sweep.outcome import SweepOutcome
 
 Array = NDArray[np.float64]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from pathlib import Path
 
@@ -14,6 +14,7 @@ from linkwright.expressions.language import parse
 from linkwright.expressions.units import TIME, Dimension
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
+from linkwright.records import dataclass
 from linkwright.results import Result, Run
 from linkwright.results.dataset import Dataset, Variable, described, times, variable_of
 from linkwright.studies.figures import FigureColumn

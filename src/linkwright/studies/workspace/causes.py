@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -11,6 +10,7 @@ from numpy.typing import NDArray
 
 from linkwright.elements.clearance import Known, LooseJoint
 from linkwright.graph.rows import Named
+from linkwright.records import dataclass
 from linkwright.studies.accuracy.clearance_contacts import columns, named
 from linkwright.studies.accuracy.contributors import Contributors
 from linkwright.studies.workspace.farthest import farthest

@@ -12,7 +12,6 @@ Cloud, Introduction to Interval Analysis, 2009, ch. 6). So the area is enclosed,
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -20,6 +19,7 @@ from numpy.typing import NDArray
 
 from linkwright.enclosures.angles import numbered
 from linkwright.enclosures.forms import AffineForm
+from linkwright.records import dataclass
 from linkwright.studies.workspace.places import ModePlaces
 
 Array = NDArray[np.float64]

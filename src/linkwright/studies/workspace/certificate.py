@@ -7,12 +7,12 @@ when all that is open is given to the region, and when it is taken from it.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.records import dataclass
 from linkwright.studies.workspace.cells import (
     DEEPEST,
     Cells,

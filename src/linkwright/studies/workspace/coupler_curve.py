@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.kernels import Compiled
+from linkwright.records import dataclass
 from linkwright.studies.workspace.mesh import RIM, halved
 from linkwright.studies.workspace.sheet import ModeSheet
 

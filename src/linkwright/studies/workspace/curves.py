@@ -8,11 +8,11 @@ There are three kinds: places where the jacobian d(x, y)/d(drives) is singular, 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.records import dataclass
 from linkwright.results.stationary import bracketed
 from linkwright.studies.workspace.mesh import HALVINGS, RIM, Mesh, halved, numbered, sides_of
 from linkwright.studies.workspace.sheet import ModeSheet

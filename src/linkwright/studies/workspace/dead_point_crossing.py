@@ -14,12 +14,12 @@ determinants of the closures keep theirs.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.records import dataclass
 from linkwright.studies.workspace.mesh import DriveBox
 from linkwright.studies.workspace.target_path import TargetPath
 

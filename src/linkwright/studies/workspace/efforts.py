@@ -7,13 +7,13 @@ are supplied as for a run.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.kernels import KERNELS
 from linkwright.kernels.external_inputs import Supply
+from linkwright.records import dataclass
 from linkwright.studies.workspace.sheet import ModeSheet
 
 Array = NDArray[np.float64]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from copy import copy
-from dataclasses import dataclass, field
+from dataclasses import field
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from linkwright.expressions import units as u
 from linkwright.findings import ModelError, raise_errors
 from linkwright.kernels import Compiled
+from linkwright.records import dataclass
 from linkwright.studies.accuracy.clearance import PATH as CLEARANCES
 from linkwright.studies.accuracy.clearance_options import check_clearances
 from linkwright.studies.accuracy.contributors import Contributors

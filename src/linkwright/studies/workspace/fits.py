@@ -9,11 +9,12 @@ bound, as polylabel does with circles). Containment is that of the polygon, exac
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

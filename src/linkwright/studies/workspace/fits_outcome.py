@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -12,6 +11,7 @@ from numpy.typing import NDArray
 from linkwright.expressions import units as u
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
+from linkwright.records import dataclass
 from linkwright.studies.workspace.fit_options import PATH, RequiredFit, RequiredFits
 from linkwright.studies.workspace.fits import (
     FigureMargin,

@@ -10,12 +10,12 @@ displacements e are of any direction moves it by no more than that times the len
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.records import dataclass
 from linkwright.studies.workspace import mesh as meshes
 from linkwright.studies.workspace.causes import Causes
 from linkwright.studies.workspace.coverage import covered

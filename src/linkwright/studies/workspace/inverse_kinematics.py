@@ -10,7 +10,7 @@ drives follow it.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from linkwright.expressions import units as si
 from linkwright.findings import Finding
+from linkwright.records import dataclass
 from linkwright.results.stationary import bracketed, crossings
 from linkwright.studies.workspace.efforts import Efforts, efforts
 from linkwright.studies.workspace.path_continuation import NEWTON, SOLVED, SolutionTrack, divided, tracks

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from math import isfinite, isinf
 from typing import TYPE_CHECKING, Any
 
@@ -11,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions import units as u
+from linkwright.records import dataclass
 from linkwright.studies.workspace.maps import Map, MapExtreme, Maps
 from linkwright.studies.workspace.outcome import Reached, Workspace
 from linkwright.studies.workspace.shapes import figures

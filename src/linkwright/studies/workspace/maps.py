@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +12,7 @@ from linkwright._machine import processors
 from linkwright.expressions.units import Dimension
 from linkwright.kernels.threaded import pool
 from linkwright.model.quantities import Quantities
+from linkwright.records import dataclass
 from linkwright.results.stationary import bracketed
 from linkwright.studies.workspace.mesh import DriveBox, halves, sides_of
 

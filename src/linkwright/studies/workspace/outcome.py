@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
+from linkwright.records import dataclass
 from linkwright.results import Result, Run
 from linkwright.studies.workspace.mesh import RIM, DriveBox
 from linkwright.studies.workspace.regions import Region

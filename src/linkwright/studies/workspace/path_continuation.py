@@ -8,7 +8,6 @@ where the path touches the edge of a sheet, it passes on a bridge (``passing.py`
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -17,6 +16,7 @@ from numpy.typing import NDArray
 
 from linkwright.graph.rows import Determinant
 from linkwright.kernels import KERNELS
+from linkwright.records import dataclass
 from linkwright.results.stationary import bracketed
 from linkwright.studies.workspace.dead_point_crossing import box_left, bridge, curve
 from linkwright.studies.workspace.mesh import DriveBox

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
@@ -15,6 +15,7 @@ from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, ModelError, raise_errors
 from linkwright.kernels import Compiled
 from linkwright.presentation.json_numbers import known
+from linkwright.records import dataclass
 from linkwright.studies.workspace.inverse_kinematics import ServoLaw, Way, free, timed
 from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, in_units
 from linkwright.studies.workspace.path_options import WantedPath, WantedPaths, build_path, rate_of

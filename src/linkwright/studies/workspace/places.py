@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import math
 from copy import copy
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -24,6 +23,7 @@ from linkwright.graph.inverse import DeterminantRow, DriveValue, Inverse, invers
 from linkwright.graph.rows import Determinant, Radicand
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.registry import Kernel
+from linkwright.records import dataclass
 from linkwright.studies.workspace.mesh import DriveBox
 from linkwright.studies.workspace.platforms import Platforms, Sets
 from linkwright.studies.workspace.sheet import ModeSheet

@@ -7,13 +7,13 @@ one pose of the mode ends. What doesn't fit tells of a curve that is missing, or
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.records import dataclass
 from linkwright.studies.workspace.curves import Segments
 from linkwright.studies.workspace.places import FOLD, LIMIT, MODES, ModePlaces
 from linkwright.studies.workspace.sheet import ModeSheet

@@ -7,7 +7,6 @@ of a mechanism without weight and friction, whose drives exert J^T F on what the
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +17,7 @@ from linkwright.graph.rows import Determinant, reaches
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.kernel_selection import choose
 from linkwright.model.mechanism import Mechanism
+from linkwright.records import dataclass
 from linkwright.studies.workspace.curves import Segments
 from linkwright.studies.workspace.maps import Maps, mapped
 from linkwright.studies.workspace.mesh import DriveBox

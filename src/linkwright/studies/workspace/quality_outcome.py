@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from linkwright.expressions import units as u
 from linkwright.findings import CLAUSES, Joined, Said
+from linkwright.records import dataclass
 from linkwright.studies.workspace.mapped_regions import RegionMaps
 from linkwright.studies.workspace.mesh import DriveBox
 from linkwright.studies.workspace.outcome import Reached, Workspace

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.graph.bound import farthest
+from linkwright.records import dataclass
 from linkwright.studies.workspace.border import border, polygons
 from linkwright.studies.workspace.cells import decided
 from linkwright.studies.workspace.certificate import Contradiction, RegionCertificate, certified

@@ -11,7 +11,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Callable
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
@@ -25,6 +25,7 @@ from linkwright.findings import Finding, ModelError
 from linkwright.kernels.versions import versions
 from linkwright.model.origin import table_hashes
 from linkwright.model.output_files import make_folder
+from linkwright.records import dataclass
 from linkwright.studies.run_context import RunContext
 from linkwright.studies.workspace.assembly_signs import Signs
 from linkwright.studies.workspace.options import PATH, SECTIONS

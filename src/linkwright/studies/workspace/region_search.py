@@ -8,12 +8,13 @@ that no curve was missed: what hints at that is told as a fault.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.records import dataclass
 from linkwright.studies.workspace.certificate import Contradiction
 from linkwright.studies.workspace.curves import Segments, Traced, smooth, traced
 from linkwright.studies.workspace.mesh import DriveBox, Mesh, found_pits, mesh

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from linkwright.records import dataclass
 from linkwright.studies.workspace.certificate import SEARCHED, UNPROVEN, RegionCertificate
 from linkwright.studies.workspace.curves import Segments
 from linkwright.studies.workspace.mesh import DriveBox, Mesh

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
+
+from linkwright.records import dataclass
 
 THIN = 4.0
 """What is narrower than so many chord tolerances is where two boundaries are one, each drawn to its own chords."""

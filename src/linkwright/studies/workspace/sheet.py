@@ -10,7 +10,6 @@ jacobian's (Gosselin and Angeles, IEEE Trans. Robotics and Automation 6 (1990) 2
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +17,7 @@ from numpy.typing import NDArray
 from linkwright.graph.rows import Determinant, Named, reaches, spans
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.registry import Kernel
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]

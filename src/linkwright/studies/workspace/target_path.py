@@ -6,7 +6,6 @@ A path comes from points, from a CSV file or a DXF drawing beside the model, or 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -34,6 +33,7 @@ from linkwright.laws import DEGREES
 from linkwright.model.csv_file import read_csv
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Jet
+from linkwright.records import dataclass
 from linkwright.studies.workspace.dxf_file import read_curve
 
 Array = NDArray[np.float64]

@@ -7,12 +7,12 @@ envelopes.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.records import dataclass
 from linkwright.studies.workspace.coupler_curve import CurveStretch
 from linkwright.studies.workspace.curves import distance
 from linkwright.studies.workspace.mesh import DriveBox, halved

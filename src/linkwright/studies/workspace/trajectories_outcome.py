@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions import units as u
+from linkwright.records import dataclass
 from linkwright.studies.workspace.outcome import Reached, Workspace
 from linkwright.studies.workspace.trajectories import Trajectories, trajectories
 from linkwright.studies.workspace.trajectories_options import TrajectoriesAsked, held_drive

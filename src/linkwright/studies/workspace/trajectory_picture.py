@@ -4,7 +4,6 @@ the outline of the region; the scale of colours below."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from zlib import crc32
 
 import numpy as np
@@ -15,6 +14,7 @@ from linkwright.drawing.colour_scale import colours
 from linkwright.drawing.plane import LEFT, WIDTH, PicturePlane, framed, heading
 from linkwright.escape import markup
 from linkwright.findings import Text
+from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

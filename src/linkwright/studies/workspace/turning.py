@@ -7,7 +7,6 @@ found between brackets of a grid; its zeros over the other drive's values are th
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -16,6 +15,7 @@ from numpy.typing import NDArray
 from linkwright.graph.rows import Determinant, Radicand
 from linkwright.kernels import KERNELS
 from linkwright.model.quantities import Quantities
+from linkwright.records import dataclass
 from linkwright.results.stationary import bracketed
 from linkwright.studies.workspace.mesh import DriveBox
 from linkwright.studies.workspace.sheet import ModeSheet

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -10,6 +9,7 @@ from numpy.typing import NDArray
 
 from linkwright.laws import TableLaw
 from linkwright.notation import Jet
+from linkwright.records import dataclass
 from linkwright.studies.workspace.inverse_kinematics import ServoLaw
 
 Array = NDArray[np.float64]
