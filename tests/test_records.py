@@ -183,6 +183,23 @@ def test_one_that_holds_itself_is_shown() -> None:
     assert repr(held[0]) == "Point(x=1.0, y=[...])" or "..." in repr(held[0])
 
 
+def test_classes_of_the_standard_library_derive_from_ours_and_ours_from_theirs() -> None:
+    @dataclasses.dataclass(frozen=True)
+    class Above(Point):
+        z: float = 0.0
+
+    @dataclass(frozen=True)
+    class Top(Above):
+        w: float = 0.0
+
+    assert Top(1.0, z=2.0) == Top(1.0, 0.0, 2.0, 0.0) != Above(1.0, 0.0, 2.0)
+    for one in (Above(1.0), Top(1.0)):
+        with pytest.raises(dataclasses.FrozenInstanceError):
+            one.x = 2.0  # type: ignore[misc]
+    with pytest.raises(TypeError, match="frozen"):
+        dataclasses.dataclass(type("Loose", (Point,), {}))
+
+
 def test_an_init_is_compiled_when_it_is_first_asked_for() -> None:
     @dataclass
     class Fresh:

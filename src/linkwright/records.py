@@ -12,6 +12,7 @@ from collections.abc import Callable
 from functools import cache
 from operator import attrgetter
 from reprlib import recursive_repr
+from threading import Lock
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -24,11 +25,14 @@ else:
         return _made(cls, frozen, eq, repr) if cls is not None else lambda cls: _made(cls, frozen, eq, repr)
 
 
+_ONE_AT_A_TIME = Lock()
+
+
 def _made(cls: type, frozen: bool, eq: bool, repr: bool) -> type:
     own = vars(cls)
     if not cls.__doc__:
         cls.__doc__ = cls.__name__  # else the signature would be taken for it, and compiled for that
-    dataclasses.dataclass(init=False, repr=False, eq=False)(cls)
+    _collect_fields(cls, frozen)
     given: dict[str, Any] = {} if "__init__" in own else {"__init__": _Pending(cls, frozen)}
     if repr and "__repr__" not in own:
         given["__repr__"] = _repr
@@ -42,6 +46,22 @@ def _made(cls: type, frozen: bool, eq: bool, repr: bool) -> type:
     for name, thing in given.items():
         setattr(cls, name, thing)
     return cls
+
+
+def _collect_fields(cls: Any, frozen: bool) -> None:
+    """Have the standard library find the fields. It would refuse this to one that's open below a frozen one, and would
+    compile two functions for a frozen one: so all are open to it meanwhile."""
+    with _ONE_AT_A_TIME:
+        bases = [vars(base).get("__dataclass_params__") for base in cls.__mro__[1:]]
+        closed = [said for said in bases if said and said.frozen]
+        try:
+            for said in closed:
+                said.frozen = False
+            dataclasses.dataclass(init=False, repr=False, eq=False)(cls)
+            cls.__dataclass_params__.frozen = frozen
+        finally:
+            for said in closed:
+                said.frozen = True
 
 
 class _Factory:
@@ -91,7 +111,7 @@ def _init(cls: type, frozen: bool) -> Callable[..., None]:
 
 
 @cache
-def _compared(cls: Any) -> Callable[[Any], Any]:
+def _compared(cls: type) -> Callable[[Any], Any]:
     """The values of an object by which it's compared."""
     names = [field.name for field in dataclasses.fields(cls) if field.compare]
     if len(names) < 2:  # one value alone would be told equal otherwise than in a tuple: arrays, nan
@@ -100,10 +120,10 @@ def _compared(cls: Any) -> Callable[[Any], Any]:
 
 
 def _eq(self: Any, other: object) -> Any:
-    if self is other or self.__class__ is not other.__class__:
-        return True if self is other else NotImplemented
     values = _compared(self.__class__)
-    return values(self) == values(other)
+    if self.__class__ is not other.__class__:
+        return NotImplemented
+    return self is other or values(self) == values(other)
 
 
 def _hash(self: Any) -> int:
