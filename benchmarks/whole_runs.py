@@ -20,16 +20,22 @@ SIZES = (10, 20, 50, 100, 194)
 """Moving links asked for; a crank and the up to four links of a fault besides: the format allows 200."""
 
 
-def process(*words: str) -> tuple[float, float, int]:
-    """Processor time (s), peak memory (MB) and exit code of linkwright in a process of its own, on one thread."""
-    command = [sys.executable, "-m", "linkwright", *words]
-    here = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
+def process(*words: str, source: Path | None = None) -> tuple[float, float, int]:
+    """Processor time (s), peak memory (MB) and exit code of Python in a process of its own, on one thread, with the
+    package of the folder ``source`` if one is given."""
+    command = [sys.executable, *words]
+    here = {**os.environ, "OPENBLAS_NUM_THREADS": "1"} | ({"PYTHONPATH": str(source)} if source else {})
     here.pop("PYTHONDONTWRITEBYTECODE", None)  # where set, each process compiles all modules anew
     with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=here) as running:
         _, status, usage = os.wait4(running.pid, 0)
         running.returncode = os.waitstatus_to_exitcode(status)
     unit = 1 if sys.platform == "darwin" else 1024
     return usage.ru_utime + usage.ru_stime, usage.ru_maxrss * unit / 1e6, running.returncode
+
+
+def command(*words: str) -> tuple[float, float, int]:
+    """The same of a command of linkwright."""
+    return process("-m", "linkwright", *words)
 
 
 def measure(kind: str, links: int, seed: int = 0) -> Row:
@@ -39,12 +45,12 @@ def measure(kind: str, links: int, seed: int = 0) -> Row:
         file = Path(folder) / "model.yaml"
         for fault, change in FAULTS.items():
             file.write_text(json.dumps(change(CLASSES[kind](links, seed), seed)), "utf-8")
-            seconds, _, code = process("check", str(file))
+            seconds, _, code = command("check", str(file))
             row[f"check_{fault}_s"] = seconds
             if code != (0 if fault == "sound" else 1):
                 raise RuntimeError(f"check of {kind}, {fault}, {links} links ended with {code}")
         file.write_text(json.dumps(CLASSES[kind](links, seed)), "utf-8")
-        row["run_s"], row["run_mb"], code = process("run", str(file), "--out", str(Path(folder) / "out"))
+        row["run_s"], row["run_mb"], code = command("run", str(file), "--out", str(Path(folder) / "out"))
         row["done"] = code == 0
     return row
 
