@@ -46,7 +46,9 @@ class Runner(Protocol):
         """Let go of what the runner opened."""
 
 
-RUNNERS: Registry[type[Runner]] = Registry()
+RUNNERS: Registry[type[Runner]] = Registry(
+    {"cluster": "linkwright.blocks.cluster", "threads": "linkwright.blocks.runners"}
+)
 
 
 def register(cls: type[Runner]) -> type[Runner]:
