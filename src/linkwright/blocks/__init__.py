@@ -22,8 +22,6 @@ if TYPE_CHECKING:
     from linkwright.blocks.work import UNIT, Cut, Sink, Task, Work
 
 _PLACES = {
-    "RUNNERS": "linkwright.blocks.runners.RUNNERS",
-    "UNIT": "linkwright.blocks.work.UNIT",
     "Carried": "linkwright.blocks.loop.Carried",
     "Checkpoint": "linkwright.blocks.checkpoint.Checkpoint",
     "Cluster": "linkwright.blocks.cluster.Cluster",
@@ -33,6 +31,7 @@ _PLACES = {
     "Histogram": "linkwright.blocks.histogram.Histogram",
     "Moments": "linkwright.blocks.moments.Moments",
     "Progress": "linkwright.blocks.loop.Progress",
+    "RUNNERS": "linkwright.blocks.runners.RUNNERS",
     "Reduction": "linkwright.blocks.reductions.Reduction",
     "Runner": "linkwright.blocks.runners.Runner",
     "Sink": "linkwright.blocks.work.Sink",
@@ -40,6 +39,7 @@ _PLACES = {
     "Task": "linkwright.blocks.work.Task",
     "Threads": "linkwright.blocks.runners.Threads",
     "Together": "linkwright.blocks.sinks.Together",
+    "UNIT": "linkwright.blocks.work.UNIT",
     "Work": "linkwright.blocks.work.Work",
     "carry": "linkwright.blocks.loop.carry",
     "generator": "linkwright.blocks.streams.generator",
