@@ -21,7 +21,6 @@ from pathlib import Path
 from types import TracebackType
 
 from linkwright.app.manifest import NAME, OUTDATED, CommandFiles, Entry, Manifest, Model, State, read_manifest
-from linkwright.blocks.checkpoint import unsaved
 from linkwright.blocks.lock import Lock
 from linkwright.findings import Finding, Joined, ModelError
 from linkwright.model.origin import Origin
@@ -155,6 +154,8 @@ class ResultsFolder:
             self._clear(self._part, path.name)  # a store may be large
             self._manifest.write(self.path)
         except OSError as error:
+            from linkwright.blocks.checkpoint import unsaved
+
             raise unsaved(self.path, error) from None
 
     def write(self, name: str, content: str | bytes) -> None:

@@ -25,8 +25,9 @@ from linkwright.cam.followers import (
     TranslatingRoller,
 )
 from linkwright.cam.form_closure import Conjugate, opposite
-from linkwright.elements.cam_contact import CamFollower, cam_followers
+from linkwright.elements.cam_contact import cam_followers
 from linkwright.elements.cam_contact.contact import CamPair, seat, sense
+from linkwright.elements.cam_contact.follower import CamFollower
 from linkwright.elements.cam_contact.second import second_seat
 from linkwright.expressions import units as u
 from linkwright.graph.geometry import Geometry

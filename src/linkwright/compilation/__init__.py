@@ -2,6 +2,5 @@
 
 from linkwright.compilation.pipeline import Prepared, compile_mechanism, compile_model, examine, prepare
 from linkwright.compilation.stages import Uses
-from linkwright.compilation.still import examine_still
 
-__all__ = ["Prepared", "Uses", "compile_mechanism", "compile_model", "examine", "examine_still", "prepare"]
+__all__ = ["Prepared", "Uses", "compile_mechanism", "compile_model", "examine", "prepare"]

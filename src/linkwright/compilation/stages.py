@@ -10,7 +10,6 @@ from pathlib import Path
 from linkwright.findings import Finding, Joined
 from linkwright.graph import assembly as modes
 from linkwright.graph.assembly import Assembly
-from linkwright.graph.redundant import redundant
 from linkwright.kernels.followers import follower_faults
 from linkwright.kernels.law import DriveLaw
 from linkwright.kernels.laws import action_tables, drive_laws, values_at
@@ -94,7 +93,11 @@ def structure(q: Quantities, stated: Laws, named: bool, redundancy: bool) -> tup
     has parts looked for that are redundant but move along, at the start pose."""
     m = q.mechanism
     found = decompose(m) if named else Structure(Topology(m), ())
-    return found, redundant(q, found, values_at(stated.drives, 0.0)) if redundancy else list(found.findings)
+    if not (redundancy and found.findings):
+        return found, list(found.findings)
+    from linkwright.graph.redundant import redundant
+
+    return found, redundant(q, found, values_at(stated.drives, 0.0))
 
 
 def assemble(q: Quantities, found: Structure, stated: Laws) -> Assembly:

@@ -9,7 +9,7 @@ from linkwright.compilation.stages import Uses
 from linkwright.findings import Finding, Joined
 from linkwright.graph.assembly import Assembly
 from linkwright.graph.standing import standing
-from linkwright.kernels import Still
+from linkwright.kernels.still import Still
 from linkwright.model.mechanism import Mechanism
 from linkwright.structure import Structure
 

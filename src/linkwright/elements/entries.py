@@ -13,6 +13,7 @@ from typing import Any, ClassVar, Protocol, Self
 from pydantic import BaseModel
 
 from linkwright.elements.mirror import Mirror, NotMirroredError
+from linkwright.elements.table import chosen_in
 from linkwright.expressions.fields import Expression, Frozen
 from linkwright.expressions.typed_fields import Context, Quantity, Sign
 from linkwright.expressions.units import Dimension
@@ -138,15 +139,19 @@ NOUNS = {"loads": "load", "springs": "spring", "counterweights": "counterweight"
 """The sections of what acts on links, in the order in which it acts, and what one of each is called."""
 SECTIONS = ("joints", *NOUNS)
 """The sections of a file in which elements of several kinds stand."""
-ENTRIES: Mapping[str, Registry[type[JointEntry] | type[ForceEntry]]] = {section: Registry() for section in SECTIONS}
+ENTRIES: Mapping[str, Registry[type[JointEntry] | type[ForceEntry]]] = {
+    section: Registry(chosen_in(section)) for section in SECTIONS
+}
 """By section the entries that are chosen by a key, by the names of their kinds."""
 
 
 def make_known(
     section: str, name: str, entry: type[JointEntry] | type[ForceEntry] | None, words: Mapping[str, Mapping[str, str]]
 ) -> None:
-    """Make a kind's entry known under its name, where it is chosen by a key, and its texts, by language and key."""
-    if entry is not None:
+    """Make a kind's entry known under its name, where it is chosen by a key, and its texts, by language and key. The
+    registry of the kind has refused a second one of the name: the same entry comes again after an interrupted import.
+    """
+    if entry is not None and ENTRIES[section].get(name) is not entry:
         ENTRIES[section][name] = entry
     for language, texts in words.items():
         add(language, texts)

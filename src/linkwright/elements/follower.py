@@ -19,6 +19,7 @@ from linkwright.elements.entries import JointEntry, make_known
 from linkwright.elements.force import SignalChart
 from linkwright.elements.joint import Applied, Array, JointGeometry, LinkPoses, Miss
 from linkwright.elements.mover import TRAVEL, TURN, MoverReports, MoverSignals
+from linkwright.elements.table import of_contract
 from linkwright.elements.touch import ReportedTouch, Touch
 from linkwright.expressions import units as u
 from linkwright.expressions.language import Call, Node
@@ -315,7 +316,7 @@ class Follower(MoverSignals, ABC):
         """What the reported effort does to the links: its proof, which asks none of the other methods."""
 
 
-FOLLOWERS: Registry[type[Follower]] = Registry()
+FOLLOWERS: Registry[type[Follower]] = Registry(of_contract("follower"))
 """The kinds of followers by name."""
 
 

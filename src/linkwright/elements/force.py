@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from linkwright.elements.entries import NOUNS, ForceEntry, make_known
 from linkwright.elements.joint import Applied, LinkPoses
 from linkwright.elements.mover import MoverReports
+from linkwright.elements.table import of_contract
 from linkwright.elements.touch import ReportedTouch, Touch
 from linkwright.expressions.dimensions import Wanted
 from linkwright.expressions.fields import Expression, Position, Two
@@ -371,7 +372,7 @@ class Acting(NamedTuple):
         return NOUNS[self.section]
 
 
-FORCES: Registry[ForceKind[Any]] = Registry()
+FORCES: Registry[ForceKind[Any]] = Registry(of_contract("force"))
 """The kinds of what acts by name."""
 
 

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from linkwright.elements.clearance import LooseJoint, StatedClearance
 from linkwright.elements.curves import Curve
 from linkwright.elements.entries import JointEntry, make_known
+from linkwright.elements.table import of_contract
 from linkwright.elements.touch import ReportedTouch, Touch
 from linkwright.expressions.written import FaultWithin
 from linkwright.findings import Term
@@ -364,7 +365,7 @@ class JointKind(ABC):
         return []
 
 
-KINDS: Registry[JointKind] = Registry()
+KINDS: Registry[JointKind] = Registry(of_contract("joint"))
 """The kinds of joints by name."""
 
 

@@ -2,6 +2,5 @@
 
 from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.registry import KERNELS, Kernel
-from linkwright.kernels.still import Still
 
-__all__ = ["KERNELS", "Compiled", "Kernel", "Still"]
+__all__ = ["KERNELS", "Compiled", "Kernel"]

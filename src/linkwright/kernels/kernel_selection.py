@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from linkwright.findings import Term
 from linkwright.graph.program import Program
-from linkwright.kernels import machine_code
 from linkwright.kernels.registry import KERNELS
 from linkwright.records import dataclass
 
@@ -45,6 +44,8 @@ def choose(program: Program, poses: int, wish: str = "auto") -> KernelChoice:
         return KernelChoice(wish, poses, program.size, "kernel-wished")
     if program.size * poses < LARGE:
         return KernelChoice("numpy", poses, program.size)
+    from linkwright.kernels import machine_code
+
     if not machine_code.available():
         return KernelChoice("numpy", poses, program.size, "kernel-missing")
     return KernelChoice("llvm", poses, program.size, "kernel-large")

@@ -16,8 +16,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
-from linkwright.elements.cam_contact import CamFollower, cam_followers
+from linkwright.elements.cam_contact import cam_followers
 from linkwright.elements.cam_contact.contact import CamPair, base_circle_turns, seat, sense, slant
+from linkwright.elements.cam_contact.follower import CamFollower
 from linkwright.expressions import units as u
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels.compiled import Compiled

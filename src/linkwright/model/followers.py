@@ -18,8 +18,8 @@ def follower_entries(m: Mechanism) -> Iterator[tuple[str, str, Any, type[Followe
     """What a file says of followers: section, name, entry, kind."""
     for section in FOLLOWING:
         for name, entry in getattr(m, section).items():
-            if (found := next((k for k in FOLLOWERS.values() if type(entry) is k.stated), None)) is not None:
-                yield section, name, entry, found
+            if entry.follows:
+                yield section, name, entry, FOLLOWERS[entry.kind]
 
 
 def with_followers(m: Mechanism) -> tuple[Mechanism, list[Finding]]:

@@ -22,7 +22,7 @@ from linkwright.elements.cam_contact.entry import Cam
 from linkwright.elements.counterweight import Counterweight
 from linkwright.elements.cylinder import Cylinder
 from linkwright.elements.drive import Drive
-from linkwright.elements.entries import ENTRIES, entries_by_key, keys_of
+from linkwright.elements.entries import ENTRIES, ElementEntry, entries_by_key, keys_of
 from linkwright.elements.fields import freeze
 from linkwright.elements.friction import Friction
 from linkwright.elements.load import Load
@@ -69,7 +69,7 @@ class _AnyKind:
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         def read(raw: Any, usual: ValidatorFunctionWrapHandler) -> Any:
-            if type(raw) in self.entries.values():
+            if isinstance(raw, ElementEntry) and type(raw) is self.entries.get(raw.kind):
                 return raw
             if not isinstance(raw, Mapping):
                 return usual(raw)
@@ -97,7 +97,7 @@ class _AnyKind:
     def kinds(self, raw: Any) -> list[type]:
         """The entries of which one may be, as far as its keys tell."""
         keys = raw.keys() if isinstance(raw, Mapping) else ()
-        if chosen := [entry for kind, entry in self.entries.items() if kind in keys]:
+        if chosen := [self.entries[kind] for kind in self.entries if kind in keys]:
             return chosen
         return [self.usual] if self.own & {*keys} else [self.usual, *self.entries.values()]
 
@@ -120,7 +120,7 @@ class _AnyReduction:
     def kinds(self, raw: Any) -> list[type]:
         """The entries of which one may be, as far as its keys tell."""
         keys = raw.keys() if isinstance(raw, Mapping) else ()
-        return [entry for name, entry in MEASURES.items() if name in keys] or [*MEASURES.values()]
+        return [MEASURES[name] for name in MEASURES if name in keys] or [*MEASURES.values()]
 
     def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
         """All keys in one mapping: editors complete them as one writes."""

@@ -1,6 +1,5 @@
 """Reductions of measures, one file each: what a file says of it, its figures, derivatives, bounds, checks."""
 
-from linkwright.reductions import dwell, efficiency, extreme, mean, straightness, value
 from linkwright.reductions.derivative import Derivative, Local
 from linkwright.reductions.entry import ENTRIES, SIGNAL, Measure, OfPath, figure, of_signal, reduced
 from linkwright.reductions.figures import Figures, FoundFigure, Peak, Unmeasured
@@ -35,15 +34,9 @@ __all__ = [
     "Unmeasured",
     "WithDeviations",
     "WithPlay",
-    "dwell",
-    "efficiency",
-    "extreme",
     "figure",
     "kind_of",
-    "mean",
     "of_signal",
     "reduced",
     "register",
-    "straightness",
-    "value",
 ]

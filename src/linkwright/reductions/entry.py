@@ -8,6 +8,7 @@ from typing import Annotated, Any, ClassVar, Self
 from pydantic import BeforeValidator, ModelWrapValidatorHandler, model_serializer, model_validator
 from pydantic_core.core_schema import SerializerFunctionWrapHandler
 
+from linkwright.elements.entries import keys_of
 from linkwright.elements.fields import Interval
 from linkwright.elements.force import Use
 from linkwright.elements.points import links_of_points
@@ -82,10 +83,11 @@ class Measure(Frozen):
             return handler(raw)
         given = {key: value for key, value in raw.items() if value is not None}
         entries = entries_of(given)
-        named, known = (Joined(entry.reduction for entry in some) for some in (entries, ENTRIES.values()))
         if len(entries) > 1:
-            raise fault("measure.reduction", given=named, known=known)
-        for code, data in (wrong for entry in ENTRIES.values() if entries for wrong in entry.key_faults(given)):
+            named = Joined(entry.reduction for entry in entries)
+            raise fault("measure.reduction", given=named, known=Joined(ENTRIES))
+        beyond = entries and given.keys() - keys_of(entries[0])
+        for code, data in (wrong for of in (ENTRIES.values() if beyond else entries) for wrong in of.key_faults(given)):
             raise fault(code, **data)
         return entries[0].model_validate(raw) if entries else handler(raw)
 
@@ -165,7 +167,22 @@ class OfPath(Measure):
             yield Use(self.reduction, self.signal, self.along[1], Scope.SIGNALS)
 
 
-ENTRIES: Registry[type[Measure]] = Registry()
+MODULES = {
+    "dwell": "linkwright.reductions.dwell",
+    "efficiency": "linkwright.reductions.efficiency",
+    "share": "linkwright.reductions.efficiency",
+    "span": "linkwright.reductions.extreme",
+    "max": "linkwright.reductions.extreme",
+    "min": "linkwright.reductions.extreme",
+    "extremes": "linkwright.reductions.extreme",
+    "mean": "linkwright.reductions.mean",
+    "rms": "linkwright.reductions.mean",
+    "path": "linkwright.reductions.mean",
+    "straightness": "linkwright.reductions.straightness",
+    "value": "linkwright.reductions.value",
+}
+"""The modules of this package's reductions, by the names of these; each is imported when it is first asked for."""
+ENTRIES: Registry[type[Measure]] = Registry(MODULES)
 """The entries by the names of their reductions."""
 
 
@@ -173,4 +190,4 @@ def entries_of(raw: Mapping[str, Any]) -> list[type[Measure]]:
     """The entries whose keys are given."""
     if not ENTRIES.keys() & raw.keys() and raw.keys() - Measure.model_fields.keys():
         load("measures")
-    return [entry for name, entry in ENTRIES.items() if name in raw]
+    return [ENTRIES[name] for name in ENTRIES if name in raw]

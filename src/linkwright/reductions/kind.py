@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from linkwright.notation.registry import Registry
 from linkwright.reductions.derivative import Derivative
-from linkwright.reductions.entry import ENTRIES, Measure
+from linkwright.reductions.entry import ENTRIES, MODULES, Measure
 from linkwright.reductions.figures import Figures, FoundFigure
 from linkwright.reductions.protocols import InRun, InSamples, WithDeviations, WithPlay
 from linkwright.reductions.samples import OnSamples, SampledFigures, SampledInputs
@@ -104,7 +104,7 @@ class MeasureKind(ABC):
         return None
 
 
-REDUCTIONS: Registry[MeasureKind] = Registry()
+REDUCTIONS: Registry[MeasureKind] = Registry(MODULES)
 """The kinds by their names."""
 
 

@@ -19,7 +19,6 @@ from linkwright.model.origin import Origin, hashed
 from linkwright.presentation.json_numbers import listed
 from linkwright.presentation.lettering import without_hanzi_spaces
 from linkwright.report.arrows import arrow_data, arrows, force_name
-from linkwright.report.cam_shapes import cam_shapes
 from linkwright.report.centrodes import centrodes
 from linkwright.report.data import (
     Fact,
@@ -38,6 +37,7 @@ from linkwright.report.data import (
 from linkwright.report.first_plots import first_plots
 from linkwright.report.joint_shapes import is_cylinder, joint_shapes
 from linkwright.report.live import can_be_live, live_data
+from linkwright.report.outlines import Shapes
 from linkwright.report.packed import rounded
 from linkwright.report.structure_summary import facts
 from linkwright.report.summary import drawn, found
@@ -141,7 +141,11 @@ def scene(result: Result) -> Scene:
         zip(moving, compiled.evaluate(compiled.graph.pose_rows, result.t).reshape(-1, 4, result.t.size), strict=True)
     )
     links: list[LinkData] = []
-    outlines = cam_shapes(compiled, size)
+    outlines: Shapes = {}
+    if compiled.mechanism.cams:
+        from linkwright.report.cam_shapes import cam_shapes
+
+        outlines = cam_shapes(compiled, size)
     for link_name, lines in joint_shapes(result, size, compiled.assembly.size()).items():
         outlines.setdefault(link_name, []).extend(lines)
     for name, entry in compiled.mechanism.links.items():
@@ -272,8 +276,10 @@ def _follower_charts(result: Result) -> list[Plot | None]:
 
 def _charts(result: Result) -> list[Plot | None]:
     """The charts of what acts, as the kinds have them: one of all elements that share a title."""
-    shown: dict[SignalChart, list[str]] = {chart: [] for kind in FORCES.values() for chart in kind.charts}
-    for one in result.run.compiled.mechanism.acting():
+    acting = [*result.run.compiled.mechanism.acting()]
+    used = {one.kind.name for one in acting}
+    shown: dict[SignalChart, list[str]] = {c: [] for name in FORCES if name in used for c in FORCES[name].charts}
+    for one in acting:
         for chart in one.kind.charts:
             if chart.attribute in one.kind.signals(one.entry):
                 shown[chart].append(f"{one.name}.{chart.attribute}")

@@ -27,9 +27,9 @@ from linkwright.model.live_numbers import live_numbers
 from linkwright.model.named_numbers import NamedNumbers, named_numbers
 from linkwright.presentation.json_numbers import known
 from linkwright.report.arrows import Arrow, arrow_rows
-from linkwright.report.cam_shapes import live_cam_shapes
 from linkwright.report.data import LiveData, LiveNumber, Plot, Scene
 from linkwright.report.joint_shapes import live_joint_shapes
+from linkwright.report.outlines import LiveOutline
 from linkwright.report.packed import pruned
 from linkwright.report.signal_list import measured_signals, signal_list
 from linkwright.results import Result
@@ -77,7 +77,11 @@ def live_data(
     weighs = any(compiled.mechanism.has_mass(link) for link in compiled.mechanism.links)
     power = weighs or any(one.kind.acts for one in compiled.mechanism.acting())
     balance = [PowerRow(), PowerRow(size=True)] if power else []
-    cams = live_cam_shapes(compiled)
+    cams: list[LiveOutline] = []
+    if compiled.mechanism.cams:
+        from linkwright.report.cam_shapes import live_cam_shapes
+
+        cams = live_cam_shapes(compiled)
     outlines = [*cams, *live_joint_shapes(compiled)]
     made = page_programs(
         compiled, [*compiled.graph.pose_rows, *signals, *others, *balance], measured, [one.program for one in outlines]

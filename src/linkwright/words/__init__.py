@@ -65,10 +65,12 @@ def _catalogue(name: str) -> dict[str, str]:
 
 
 def add(name: str, more: Mapping[str, str]) -> None:
-    """Add texts of a kind of another package to a language; a key that is there already is an error."""
-    if twice := catalogue(name).keys() & more.keys():
+    """Add texts of a kind of another package to a language; a key that is there already with another text is an error.
+    The same text comes again where the import of that package was interrupted."""
+    known = catalogue(name)
+    if twice := {key for key in known.keys() & more.keys() if known[key] != more[key]}:
         raise ValueError(f"texts that there are already: {sorted(twice)}")
-    catalogue(name).update(more)
+    known.update(more)
 
 
 def text(key: str) -> str:

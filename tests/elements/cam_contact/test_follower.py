@@ -11,7 +11,7 @@ import pytest
 from helpers.cams import pair
 from helpers.compiled import compiled_from
 from linkwright.compilation import examine
-from linkwright.elements.cam_contact import CamFollower
+from linkwright.elements.cam_contact.follower import CamFollower
 from linkwright.findings import Finding, ModelError
 from linkwright.model.builder import Builder
 from linkwright.model.desugar import spell_out

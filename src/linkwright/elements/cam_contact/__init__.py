@@ -1,10 +1,11 @@
 """Cams as joints: a plate cam on a link that a drive turns, and the follower that rides on it by a law."""
 
-from typing import Any
+from __future__ import annotations
 
-from linkwright.elements.cam_contact.follower import CamFollower
+from typing import TYPE_CHECKING, Any
 
-__all__ = ["CamFollower", "cam_followers"]
+if TYPE_CHECKING:
+    from linkwright.elements.cam_contact.follower import CamFollower
 
 
 def cam_followers(m: Any) -> dict[str, CamFollower]:

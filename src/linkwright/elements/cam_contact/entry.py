@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field
 
@@ -40,6 +40,9 @@ class Second(Frozen):
 
 class Cam(Frozen):
     """A plate cam on a link that a drive turns, and the follower that rides on it by a law over the cam's angle."""
+
+    kind: ClassVar[str] = "cam"
+    follows: ClassVar[bool] = True
 
     cam: Annotated[Name, Ref("link")]
     follower: Annotated[Name, Ref("link")]

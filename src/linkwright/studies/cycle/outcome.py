@@ -10,10 +10,10 @@ from linkwright.findings import Finding
 from linkwright.measures import MeasureResult
 from linkwright.records import dataclass
 from linkwright.results import Result
-from linkwright.studies.cycle.overview import Overview, overview
 
 if TYPE_CHECKING:
     from linkwright.blocks import Progress
+    from linkwright.studies.cycle.overview import Overview
 
 
 @dataclass
@@ -32,6 +32,8 @@ class CycleOutcome:
         certificate = self.result.certificate
         if self.measures or self.failures or certificate is None:
             return None
+        from linkwright.studies.cycle.overview import overview
+
         return overview(self.result.run, certificate.equilibrium is not None, self.progress)
 
     @property

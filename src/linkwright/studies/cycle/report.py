@@ -14,7 +14,6 @@ from linkwright.presentation.cells import Cell, NumberCell, Unit
 from linkwright.reductions import Grade
 from linkwright.results import Certificate, Result
 from linkwright.studies.cycle.outcome import CycleOutcome
-from linkwright.studies.cycle.overview import overview_entry
 from linkwright.studies.cycle.verification import checks, remarks
 
 
@@ -99,7 +98,7 @@ def cycle_entry(outcome: CycleOutcome) -> dict[str, Any]:
     """The run, its measures (in the file's units) and its certificate."""
     run = outcome.result.run
     time_unit, second = run.compiled.quantities.unit_of(TIME)
-    return {
+    entry = {
         "run": {
             "start": run.start / second,
             "stop": run.stop / second,
@@ -108,9 +107,12 @@ def cycle_entry(outcome: CycleOutcome) -> dict[str, Any]:
             "kernel": run.compiled.kernel,
         },
         "measures": {m.name: measure_entry(m, second, time_unit) for m in outcome.measures},
-        **({} if outcome.overview is None else {"overview": overview_entry(outcome.overview, run)}),
-        "certificate": certificate_entry(outcome.result, second, time_unit),
     }
+    if outcome.overview is not None:
+        from linkwright.studies.cycle.overview import overview_entry
+
+        entry["overview"] = overview_entry(outcome.overview, run)
+    return {**entry, "certificate": certificate_entry(outcome.result, second, time_unit)}
 
 
 def measure_entry(m: MeasureResult, second: float, time_unit: str) -> dict[str, Any]:

@@ -6,7 +6,7 @@ from dataclasses import field
 
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding
-from linkwright.kernels import Still
+from linkwright.kernels.still import Still
 from linkwright.records import dataclass
 from linkwright.results import Result, Run
 

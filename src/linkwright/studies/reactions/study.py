@@ -12,13 +12,14 @@ from typing import Annotated
 
 import numpy as np
 
-from linkwright.compilation import examine_still
+from linkwright.compilation.still import examine_still
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen
 from linkwright.expressions.typed_fields import Quantity
 from linkwright.findings import Finding, Joined
 from linkwright.graph.statics import Statics
-from linkwright.kernels import Compiled, Still
+from linkwright.kernels import Compiled
+from linkwright.kernels.still import Still
 from linkwright.model.signals import Contact
 from linkwright.presentation.blocks import FileOf, StudyReport
 from linkwright.studies.numbers import constant
