@@ -12,7 +12,7 @@ from linkwright.interrupts import end, install
 def main() -> None:
     """The program ``linkwright``."""
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # its matrices are small: more threads would wait, and cost time
-    gc.set_threshold(50_000, 20, 100)  # nearly all objects of a run stay: looking for garbage takes a twentieth of it
+    gc.set_threshold(500_000, 20, 100)  # nearly all objects of a run stay: looking for garbage takes a twentieth of it
     try:
         install()
         from linkwright.cli import main as carry_out
@@ -24,6 +24,7 @@ def main() -> None:
         sys.exit(interrupted(stop))
     finally:
         end()
+        gc.freeze()  # the interpreter would look for garbage in all that there is, twice, before it ends
 
 
 if __name__ == "__main__":
