@@ -46,7 +46,7 @@ class Runner(Protocol):
         """Let go of what the runner opened."""
 
 
-RUNNERS: Registry[type[Runner]] = Registry()
+RUNNERS: Registry[type[Runner]] = Registry({"cluster": "linkwright.blocks.cluster"})
 
 
 def register(cls: type[Runner]) -> type[Runner]:

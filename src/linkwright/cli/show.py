@@ -13,8 +13,6 @@ import click
 from rich.markup import escape
 from rich.table import Table
 
-from linkwright.app import Bench, Examined, ExportJob, Job, ModesJob
-from linkwright.blocks import Progress as Told
 from linkwright.cli import terminal
 from linkwright.cli.consoles import err, out
 from linkwright.cli.progress import ProgressBar
@@ -25,6 +23,8 @@ from linkwright.studies.registry import STUDIES
 from linkwright.words import in_language, language, say
 
 if TYPE_CHECKING:
+    from linkwright.app import Bench, Examined, ExportJob, Job, ModesJob
+    from linkwright.blocks import Progress as Told
     from linkwright.cli.execution import Telling
 
 _STYLES = {"error": "bold red", "warning": "bold yellow", "note": "bold"}
