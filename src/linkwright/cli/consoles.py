@@ -50,5 +50,6 @@ class Stream(Console):
 
 
 out = Stream(highlight=False, soft_wrap=True, emoji=False)
-wide = out if out.is_terminal else Stream(highlight=False, soft_wrap=True, emoji=False, width=120)  # a pipe has no width
+# A pipe has no width.
+wide = out if out.is_terminal else Stream(highlight=False, soft_wrap=True, emoji=False, width=120)
 err = Stream(stderr=True, highlight=False, soft_wrap=True, emoji=False)
