@@ -12,6 +12,7 @@ from linkwright.interrupts import end, install
 def main() -> None:
     """The program ``linkwright``."""
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # its matrices are small: more threads would wait, and cost time
+    os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")  # it would look for them in all installed packages
     gc.set_threshold(500_000, 5, 100)  # nearly all objects of a run stay: garbage is hardly ever worth looking for
     try:
         install()

@@ -224,3 +224,8 @@ def test_texts_stay_text(
     monkeypatch.setattr(terminal, "out", terminal.wide)
     terminal.lines(block)
     assert capsys.readouterr().out.count(SEEN) == count
+
+
+def test_a_name_between_colons_is_no_emoji(shown: Printed) -> None:
+    assert shown(Sentences([":gear:"])) == [":gear:"]
+    assert shown(Table("one", ":gear:", [":gear:"], [[":gear:"]])) == [":gear:"] * 3 + [""]

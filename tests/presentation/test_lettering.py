@@ -47,3 +47,14 @@ def test_a_percent_sign_stays_with_its_figure() -> None:
     assert widest("a 99.73 %") == 7
     assert widest("12 段，逐段") == 4  # a sign stays with its hanzi
     assert widest("") == 0
+
+
+@pytest.mark.parametrize("text", ["", "a", "  lift of 99 %, 3 N·m; ±2 mm² ", "one-two\tthree\n4 % 5%  %"])
+def test_a_text_without_hanzi_is_broken_at_spaces(text: str) -> None:
+    """Beside one hanzi, where the patterns of Chinese are used, it is broken at the same places."""
+    for room in (1, 4, 9, 30):
+        lines, beside = [*folded(text, room)], [*folded(f"{text}\n中", room)]
+        assert "".join(beside).replace(" ", "") == "".join(lines).replace(" ", "") + "中"
+        assert beside[: len(lines) - 1] == lines[:-1]
+        assert breaks(f"{text}\n中", room)[: len(breaks(text, room))] == breaks(text, room)
+    assert max(widest(text), columns("中")) == widest(f"{text} 中")

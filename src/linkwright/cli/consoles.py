@@ -49,6 +49,7 @@ class Stream(Console):
         raise
 
 
-out = Stream(highlight=False, soft_wrap=True)
-wide = out if out.is_terminal else Stream(highlight=False, soft_wrap=True, width=120)  # a pipe has no width
-err = Stream(stderr=True, highlight=False, soft_wrap=True)
+out = Stream(highlight=False, soft_wrap=True, emoji=False)
+# A pipe has no width.
+wide = out if out.is_terminal else Stream(highlight=False, soft_wrap=True, emoji=False, width=120)
+err = Stream(stderr=True, highlight=False, soft_wrap=True, emoji=False)

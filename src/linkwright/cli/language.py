@@ -11,9 +11,9 @@ from typing import Any
 import click
 from click import core, decorators, exceptions, formatting, parser, types
 
-from linkwright.words import LANGUAGES, catalogue, in_language
+from linkwright.words import LANGUAGES, in_language, text, texts
+from linkwright.words.en import click as english
 
-PREFIX = "click."
 _CHINESE = 0x04
 """The primary language of Windows' numbers of languages (LANG_CHINESE)."""
 
@@ -40,11 +40,11 @@ def use_language(context: click.Context, _: click.Parameter, name: str | None) -
 
 @cache
 def _keys() -> dict[str, str]:
-    return {text: key for key, text in catalogue("en").items() if key.startswith(PREFIX)}
+    return {own: key for key, own in texts(english)}
 
 
-def _translated(text: str) -> str:
-    return catalogue()[_keys()[text]] if text in _keys() else text
+def _translated(own: str) -> str:
+    return text(_keys()[own]) if own in _keys() else own
 
 
 def _counted(one: str, several: str, count: int) -> str:

@@ -12,7 +12,6 @@ from linkwright.expressions.field_schema import NAME
 from linkwright.expressions.full_width import TO_ASCII
 from linkwright.expressions.language import ExpressionError, Node, Number, parse
 from linkwright.expressions.parser import reads
-from linkwright.expressions.respelled import syntax_fault
 from linkwright.expressions.typed_fields import Quantity, Ref, Sign
 from linkwright.expressions.units import ANGLE, LENGTH, Dimension
 from linkwright.expressions.written import (
@@ -112,6 +111,8 @@ def parse_text(text: str) -> Node:
     try:
         return parse(text)
     except ExpressionError as error:
+        from linkwright.expressions.respelled import syntax_fault
+
         code, data = syntax_fault(text, error.reason)
         raise fault(code, **data) from None
 

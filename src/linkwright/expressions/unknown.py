@@ -8,7 +8,6 @@ from collections.abc import Iterable, Sequence
 from difflib import SequenceMatcher
 from typing import Any
 
-from linkwright.expressions.synonyms import meant, plain
 from linkwright.findings import Finding, Joined, Term
 
 MOST = 3
@@ -63,6 +62,8 @@ def _narrow(name: str) -> str:
 def likeliest(name: str, known: Sequence[str]) -> list[str]:
     """The known names that may be meant, the likeliest first: the same in another spelling, what it stands for
     elsewhere, names spelled much like it, longer and shorter forms of it; three at most."""
+    from linkwright.expressions.synonyms import meant, plain
+
     own = plain(name)
     same = [word for word in known if plain(word) == own]
     if same:
@@ -83,6 +84,8 @@ def _begins(name: str, other: str) -> bool:
 def alike(name: str, known: Sequence[str], cutoff: float | None = None) -> list[str]:
     """The known names that are spelled much like one, the closest first; three at most. ``cutoff`` is the share of both
     that must agree."""
+    from linkwright.expressions.synonyms import plain
+
     own = plain(name)
     cutoff = cutoff or (ALIKE_SHORT if 2 <= len(own) <= 3 else ALIKE)
     words = [word for word in known if abs(len(word) - len(name)) <= 4][:200]

@@ -23,7 +23,7 @@ from linkwright.expressions.full_width import TO_ASCII
 from linkwright.expressions.schema_texts import description
 from linkwright.findings import Term
 
-NO_TEXT = re.compile(r"[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+NO_TEXT = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufffe\uffff]")
 """What can't stand in a text file: control characters, halves of surrogates."""
 NAME = re.compile(r"[^\W\d]\w*")
 MAX_NAME = 60

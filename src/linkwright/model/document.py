@@ -23,7 +23,6 @@ from linkwright.model.mechanism import MAX_ENTRIES, Mechanism, at_most
 from linkwright.model.output_files import write_aside
 from linkwright.model.pins import pins
 from linkwright.model.plane import in_plane
-from linkwright.model.respelled_lines import read_respelled
 from linkwright.model.sketch import with_sketch
 from linkwright.model.yaml_text import MAX_BYTES, MAX_FINDINGS, Source, read_text
 from linkwright.model.yaml_write import write_text
@@ -76,6 +75,8 @@ def read_document(raw: bytes) -> tuple[Document | None, Source]:
     """A document from a file's bytes; the source holds the line marks and all findings of form."""
     document, source = _read(raw)
     if source.findings and source.text is not None:
+        from linkwright.model.respelled_lines import read_respelled
+
         source.findings = read_respelled(source.text, source.findings, lambda text: _read(text.encode())[1].findings)
     source.findings = capped(sorted(source.findings, key=lambda finding: finding.line or 0), MAX_FINDINGS)
     return (None if source.findings else document), source

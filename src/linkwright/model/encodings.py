@@ -22,7 +22,6 @@ _SHARE = 0.7
 
 _PAIRS = re.compile(rb"(?:[\x00-\x7f]|[\xa1-\xa3\xa6\xa9\xb0-\xf7][\xa1-\xfe])*")
 """Text of ASCII and of GB 2312 without the letters of other countries (Japanese, Russian)."""
-_HANZI = re.compile("[\u4e00-\u9fff]")
 _OF_MECHANISMS = frozenset(
     "的一不在有用或其为是可以于与和及由从到向上下中内外左右前后时间点线面位置长度宽高角圆半径尺寸大小最值数量单个各每全"
     "机构架件杆曲柄连摇滑块轮凸销槽孔轴轨导铰链副弹簧阻尼缸活塞齿带臂台座板夹手爪刀门盖升降送料压切包装输推拉顶转动移摆"
@@ -75,7 +74,7 @@ def _decoded(raw: bytes, encoding: str) -> str | None:
 
 def _chinese(raw: bytes, text: str) -> bool:
     """Whether a text that can be read as GBK is surely Chinese."""
-    characters = _HANZI.findall(text)
+    characters = [letter for letter in text if "\u4e00" <= letter <= "\u9fff"]
     known = sum(character in _OF_MECHANISMS for character in characters)
     least = _LEAST if len(characters) > _FEW else _LEAST_OF_FEW
     return bool(_PAIRS.fullmatch(raw)) and known >= max(least, _LEAST_SHARE * len(characters))

@@ -7,7 +7,6 @@ from dataclasses import replace
 
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.language import FUNCTIONS, Call, Name, Node, is_signal, nodes, signal_text
-from linkwright.expressions.respelled import respelled
 from linkwright.expressions.trees import children
 from linkwright.expressions.units import is_unit
 from linkwright.expressions.unknown import likeliest, near, proposed
@@ -78,6 +77,8 @@ class Names:
                 data = {"name": node.name, "near": near(node.name, known)}
                 yield Finding("expression.unknown-function", path, data)
         elif node.text not in ("t", "pi") and node.text not in m.parameters:
+            from linkwright.expressions.respelled import respelled
+
             known = [*place.names, *m.parameters, "t", "pi"]
             if found := respelled(place.expression.text, known):
                 data = {"text": place.expression.text[:60], "reason": found[0], "hint": found[1]}

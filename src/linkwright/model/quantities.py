@@ -12,7 +12,6 @@ from linkwright.expressions import units as u
 from linkwright.expressions.dimensions import DimensionError, Dimensions, Wanted
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import ExpressionError, Node, evaluate
-from linkwright.expressions.respelled import unit_respelled
 from linkwright.expressions.units import Dimension, UnitError, si_text, unit, unit_text, words_of
 from linkwright.findings import Finding, Term
 from linkwright.model.actions import column_unit
@@ -182,6 +181,8 @@ _USUAL = {
 
 def _meant(word: str, base: str) -> str | None:
     """The unit of a base quantity that a word stands for elsewhere, if it does for one of that."""
+    from linkwright.expressions.respelled import unit_respelled
+
     meant = unit_respelled(word)
     return meant if meant is not None and unit(meant)[1].physical == u.BASE_DIMENSIONS[base].physical else None
 

@@ -20,7 +20,7 @@ from linkwright.expressions.written import Fault, FrozenDict, short_text
 from linkwright.findings import Joined, Said, Text
 from linkwright.notation.registry import Registry
 from linkwright.plugins import load
-from linkwright.words import LANGUAGES, catalogue
+from linkwright.words import known
 
 
 def _unit(raw: Any) -> str:
@@ -126,7 +126,7 @@ class Measure(Frozen):
     def title(self) -> Text:
         """The name of the reduction for the reader; as files have it where a package brings no text."""
         key = f"reduction.{self.reduction}"
-        return Said(key) if key in catalogue(LANGUAGES[0]) else self.reduction
+        return Said(key) if known(key) else self.reduction
 
     @property
     def description(self) -> Said:

@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 from linkwright._machine import needed
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.language import Call, ExpressionError, Name, parse
-from linkwright.expressions.respelled import syntax_fault
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, ModelError, Term
 from linkwright.model.output_files import write_aside
@@ -164,5 +163,7 @@ def _read(text: str) -> Iterator[None]:
     except DimensionError as error:
         raise ModelError([Finding(error.key, (text,), error.data)]) from None
     except ExpressionError as error:
+        from linkwright.expressions.respelled import syntax_fault
+
         code, data = syntax_fault(text, error.reason)
         raise ModelError([Finding(code, (text,), data)]) from None

@@ -16,6 +16,8 @@ from types import ModuleType
 from typing import Any
 
 LANGUAGES = ("en", "zh")
+USUAL = ("language", "click", "texts", "report", "findings.expressions", "findings.terms")
+"""The modules with what nearly every command says; the others are imported where another text is asked for."""
 _LANGUAGE = ContextVar("language", default=LANGUAGES[0])
 
 
@@ -64,6 +66,22 @@ def _catalogue(name: str) -> dict[str, str]:
     return dict(pair for module in modules(name) for pair in texts(module))
 
 
+@cache
+def _usual(name: str) -> dict[str, str]:
+    return dict(pair for module in USUAL for pair in texts(import_module(f"linkwright.words.{name}.{module}")))
+
+
+def _find(key: str, name: str) -> str | None:
+    """The text of ``key`` in a language, if there is one."""
+    usual = _usual(name)
+    return usual[key] if key in usual else catalogue(name).get(key)
+
+
+def known(key: str) -> bool:
+    """Whether there is a text of ``key``, in the first language at least."""
+    return _find(key, LANGUAGES[0]) is not None
+
+
 def add(name: str, more: Mapping[str, str]) -> None:
     """Add texts of a kind of another package to a language; a key that is there already with another text is an error.
     The same text comes again where the import of that package was interrupted."""
@@ -76,8 +94,8 @@ def add(name: str, more: Mapping[str, str]) -> None:
 def text(key: str) -> str:
     """The text of ``key`` in the present language; in the first one where a kind of another package has no other. An
     unknown key is a programming error."""
-    own = catalogue()
-    return own[key] if key in own else catalogue(LANGUAGES[0])[key]
+    found = _find(key, language())
+    return catalogue(LANGUAGES[0])[key] if found is None else found
 
 
 def say(key: str, /, **data: Any) -> str:
