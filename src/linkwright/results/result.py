@@ -65,7 +65,11 @@ class Result:
     @cached_property
     def names(self) -> tuple[str, ...]:
         """All signals of the mechanism."""
-        return tuple(signal.text for signal in self.run.compiled.quantities.signals.all())
+        return tuple(self._dimensions)
+
+    @cached_property
+    def _dimensions(self) -> dict[str, Dimension]:
+        return {signal.text: signal.dimension for signal in self.run.compiled.quantities.signals.all()}
 
     @cached_property
     def _values(self) -> dict[str, Array]:
@@ -85,6 +89,8 @@ class Result:
 
     def dimension(self, text: str) -> Dimension:
         """The dimension of a signal or expression. Raises :class:`ModelError` for what isn't one."""
+        if text in self._dimensions:
+            return self._dimensions[text]
         with _read(text):
             return self.run.compiled.quantities.dimensions.dimension(parse(text))
 
