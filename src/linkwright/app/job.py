@@ -295,7 +295,7 @@ def _write(job: Job, folder: ResultsFolder, how: Writing) -> None:
     document = job.examined.document
     if document is not None and drawn(job.outcomes) is not None:
         examined = job.examined
-        data = report_data(document, job.outcomes, examined.findings, examined.origin, examined.source.text)
+        data = report_data(document, job.outcomes, examined.findings, examined.origin, examined.source)
         folder.write(REPORT, page(data))
     for study, outcome in job.outcomes.items():
         for name, file in how.files(STUDIES[study]).items():

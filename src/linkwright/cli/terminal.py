@@ -66,8 +66,10 @@ def fitted(grid: Grid, room: int) -> Grid:
     widths = [max(map(widest, some)) for some in texts]
     gap = 2 if sum(widths) + 2 * len(widths) <= room else 1
     free = room - sum(widths) - gap * len(widths)
-    if sum(full) + 2 * len(full) <= room or free < 0:
+    if free < 0:
         return grid
+    if sum(full) + 2 * len(full) <= room:
+        return _wide(grid, full)
     heights = [_height(some, width) for some, width in zip(texts, widths, strict=True)]
     for _ in range(free):
         if not (narrow := [i for i in range(len(full)) if widths[i] < full[i]]):
@@ -76,6 +78,11 @@ def fitted(grid: Grid, room: int) -> Grid:
         widths[i] += 1
         heights[i] = _height(texts[i], widths[i])
     grid.padding = (0, gap, 0, 0)
+    return _wide(grid, widths)
+
+
+def _wide(grid: Grid, widths: list[int]) -> Grid:
+    """The table with columns of these widths, which Rich needn't look for."""
     for one, width in zip(grid.columns, widths, strict=True):
         one.width = width
     return grid

@@ -33,6 +33,7 @@ class Geometry:
         self.quantities, self.parameters, self.plays = quantities, parameters, plays or {}
         self.mechanism = quantities.mechanism
         self._points: dict[tuple[str, str], Pair] = {}
+        self._masses: dict[str, tuple[Scalar, Pair, Scalar]] = {}
 
     @cached_property
     def pins(self) -> dict[str, Pin]:
@@ -127,6 +128,12 @@ class Geometry:
 
     def mass(self, link: str) -> tuple[Scalar, Pair, Scalar]:
         """Mass (kg), centre of mass (m, in the link's frame), moment of inertia about it (kg m^2)."""
+        if link not in self._masses:
+            self._masses[link] = self._whole_mass(link)
+        return self._masses[link]
+
+    def _whole_mass(self, link: str) -> tuple[Scalar, Pair, Scalar]:
+        """The same, from the link's own mass and those of its counterweights."""
         entry = self.mechanism.links[link]
         parts = [self._own_mass(link)] if entry.mass is not None else []
         for weight in (one.kind.weighs(one.entry) for one in self.mechanism.acting()):

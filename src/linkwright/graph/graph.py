@@ -113,6 +113,8 @@ class Graph:
 
     def signal(self, text: str) -> Signal:
         """The signal of a name. Raises DimensionError for a name that isn't one."""
+        if (known := self.quantities.signals.by_text.get(text)) is not None:
+            return known
         node = parse(text)
         assert isinstance(node, Name | Call)
         return self.quantities.signals.find(node)

@@ -21,6 +21,16 @@ ROUND_OFF = 1e-13
 def pole(view: View, signal: Signal) -> Scalar:
     """The point where two links have one velocity: from a's anchor P, perp(v)/omega with the velocity v of P
     and the turning omega of a, both as seen from b."""
+    place, step = view.shared(signal, lambda: _place_and_step(view, signal))
+    if signal.attribute in ("x", "y"):
+        return getattr(place, signal.attribute) + getattr(step, signal.attribute)
+    a = view.motion.bodies[signal.owners[0]]
+    inside = step.rotated_back(a.axis.now)
+    return a.local.x + inside.x if signal.attribute == "u" else a.local.y + inside.y
+
+
+def _place_and_step(view: View, signal: Signal) -> tuple[Pair, Pair]:
+    """P, and the step from there to the pole."""
     a, b = (view.motion.bodies[link] for link in signal.owners)
     place, size = a.anchor.now, view.graph.size
     carried = b.velocity(place)
@@ -30,8 +40,4 @@ def pole(view: View, signal: Signal) -> Scalar:
     # At infinity and at rest this is zero, and what is divided by it is neither finite nor has a finite rate.
     turns = (size * omega) ** 2 > speed.dot(speed) / INFINITE**2 + whole * ROUND_OFF**2
     omega, beyond = omega * turns, 1 / ca.SX(turns) - 1
-    step = Pair(beyond - speed.y / omega, beyond + speed.x / omega)
-    if signal.attribute in ("x", "y"):
-        return getattr(place, signal.attribute) + getattr(step, signal.attribute)
-    inside = step.rotated_back(a.axis.now)
-    return a.local.x + inside.x if signal.attribute == "u" else a.local.y + inside.y
+    return place, Pair(beyond - speed.y / omega, beyond + speed.x / omega)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import field, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import casadi as ca
 
@@ -26,7 +26,7 @@ from linkwright.graph.placing import answered
 from linkwright.graph.power import dissipated, supplied, totals
 from linkwright.graph.singular_orders import pole
 from linkwright.model.signals import BREAKAWAY, POWER, Signal
-from linkwright.notation import Body, Jet, Scalar, Vec, Wrench
+from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
 from linkwright.notation.symbols import Symbol
 from linkwright.records import dataclass
 from linkwright.structure import FRAME
@@ -34,6 +34,8 @@ from linkwright.structure import FRAME
 if TYPE_CHECKING:
     from linkwright.graph.graph import Graph
     from linkwright.graph.rows import Named
+
+Made = TypeVar("Made")
 
 
 @dataclass
@@ -48,6 +50,7 @@ class View:
     given: dict[str, Any]  # the inputs of acting elements and followers
     plays: list[Any]
     starting: bool = False  # whether all resists as where motion is about to start
+    _shared: dict[tuple[str, tuple[str, ...]], Any] = field(default_factory=dict)  # by kind and owners of signals
 
     @classmethod
     def build(
@@ -210,11 +213,25 @@ class View:
 
     def point(self, signal: Signal) -> Scalar:
         link = self.graph.quantities.signals.links_of_points[signal.owners[0]]
-        return _component(self.motion.bodies[link].point(self.motion.point(link, signal.owners[0])), signal)
+        return self._component(signal, link, self.motion.point(link, signal.owners[0]))
 
     def com(self, signal: Signal) -> Scalar:
         link = signal.owners[0]
-        return _component(self.motion.bodies[link].point(self.motion.geometry.mass(link)[1]), signal)
+        return self._component(signal, link, self.motion.geometry.mass(link)[1])
+
+    def _component(self, signal: Signal, link: str, local: Pair) -> Scalar:
+        """What a signal names of a place on a link."""
+        at: Vec = self.shared(signal, lambda: self.motion.bodies[link].point(local))
+        jet: Jet = getattr(at, signal.attribute[-1])
+        return jet.d[LETTERS[signal.attribute[:-1]]]
+
+    def shared(self, signal: Signal, make: Callable[[], Made]) -> Made:
+        """What all signals of the same owners are parts of, made once."""
+        key = (signal.kind, signal.owners)
+        if key not in self._shared:
+            self._shared[key] = make()
+        made: Made = self._shared[key]
+        return made
 
     def slide(self, signal: Signal) -> Scalar:
         return self.motion.travel(signal.owners[0]).d[SLIDE_ORDERS[signal.attribute]]
@@ -306,11 +323,6 @@ class View:
                 g = geometry.gravity()
                 total = total - mass * (g.x * at.x.d[0] + g.y * at.y.d[0])
         return total
-
-
-def _component(at: Vec, signal: Signal) -> Scalar:
-    jet: Jet = getattr(at, signal.attribute[-1])
-    return jet.d[LETTERS[signal.attribute[:-1]]]
 
 
 _KINDS = ("link", "point", "com", "slide", "joint", "drive", "force", "shaking", "energy", "power")

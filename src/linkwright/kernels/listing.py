@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from math import copysign, inf
+from typing import NamedTuple
 
 import casadi as ca
 
 from linkwright.graph.program import ExpressionStage
-from linkwright.records import dataclass
 
 X, P = 1, 2
 """What a value depends on, as bits: the pose's inputs, the parameters."""
 
 
-@dataclass(frozen=True)
-class Value:
+class Value(NamedTuple):
     """A value: a constant's ``number``, an input's ``source`` (0: x, 1: p; its row), or ``op`` of earlier values."""
 
     op: int
@@ -76,7 +74,7 @@ class Listing:
             else:
                 op = value.op
             place.append(len(values))
-            values.append(replace(value, op=op, args=args))
+            values.append(Value(op, args, value.number, value.source))
             needs.append(self.needs[i])
             if i in shared:
                 reciprocal[i] = len(values)

@@ -8,15 +8,13 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterator, Sequence
-
-from linkwright.records import dataclass
+from typing import NamedTuple
 
 DEEPEST = 24
 """The most operations within one another in one expression."""
 
 
-@dataclass(frozen=True)
-class Node:
+class Node(NamedTuple):
     """A value: a ``number``; an entry of an ``array`` (``row``); an argument of the function (``row``); a primitive
     operation, or a call, by its ``word``."""
 
@@ -27,15 +25,13 @@ class Node:
     number: float = 0.0
 
 
-@dataclass(frozen=True)
-class Named:
+class Named(NamedTuple):
     """A value is given a name, as it is used more than once."""
 
     value: str
 
 
-@dataclass(frozen=True)
-class Stored:
+class Stored(NamedTuple):
     """A value goes to a row of an array."""
 
     value: str
@@ -87,10 +83,10 @@ class RecordedCode:
 
     def _node(self, node: Node, key: object = None) -> str:
         key = node if key is None else key
-        if key not in self._known:
-            self._known[key] = str(len(self.nodes))
+        if (known := self._known.get(key)) is None:
+            known = self._known[key] = str(len(self.nodes))
             self.nodes.append(node)
-        return self._known[key]
+        return known
 
     def of(self, value: str) -> Node:
         """What an operand is."""
@@ -102,20 +98,22 @@ class RecordedCode:
         uses = Counter(store.value for _, store in self._stores)
         if self.result is not None:
             uses[self.result] += 1
-        for i in reversed(range(len(self.nodes))):
-            if uses[str(i)]:
-                uses.update(self.nodes[i].operands)
+        values = [str(i) for i in range(len(self.nodes))]
+        for value, node in zip(reversed(values), reversed(self.nodes), strict=True):
+            if value in uses:
+                for operand in node.operands:
+                    uses[operand] += 1
         stores, depth = iter([*self._stores, (len(self.nodes) + 1, None)]), [0] * len(self.nodes)
         before, store = next(stores)
-        for i, node in enumerate(self.nodes):
+        for i, (value, node) in enumerate(zip(values, self.nodes, strict=True)):
             while before <= i and store is not None:
                 yield store
                 before, store = next(stores)
             depth[i] = 1 + max((depth[int(operand)] for operand in node.operands), default=0)
-            again = uses[str(i)] > 1 or depth[i] > DEEPEST or str(i) in self._held
-            if uses[str(i)] and again and node.word not in (NUMBER, ARGUMENT):
+            again = uses[value] > 1 or depth[i] > DEEPEST or value in self._held
+            if uses[value] and again and node.word not in (NUMBER, ARGUMENT):
                 depth[i] = 0
-                yield Named(str(i))
+                yield Named(value)
         while store is not None:
             yield store
             before, store = next(stores)

@@ -23,12 +23,16 @@ from linkwright.results.discontinuities import ASIDE
 from linkwright.results.windows import Interval
 
 Array = NDArray[np.float64]
+Rows = dict[str, tuple[Array, Array]]
+"""Values and rates of signals, (times,) each, by name."""
 
 
 SAME = 1e-6
 """Values on a cut and beside it that differ by less than this share are those of a kink."""
 FEW = 1 << 10
 """So many times are few: making a program costs more than computing all signals there."""
+KEPT = 256
+"""For so many sets of few times signals are kept."""
 BEYOND = 1e-6
 """Nearer to a pole than this share of the run, values may overflow."""
 
@@ -52,6 +56,18 @@ class Search:
         self.turning_points = turning(lambda t: run.all_rates(self.trees, t), self.places.pieces, run.grid)
         self._vague = vague(run, self.trees, np.linspace(run.start, run.stop, 257))
         self._limits: dict[Node, list[OneSidedLimits]] = {}
+        self._rows: dict[bytes, Rows] = {}
+
+    def rows(self, t: Array) -> Rows:
+        """The signals of all expressions with their rates at few times; kept, as many measures ask for the same ones,
+        such as both ends of the run."""
+        key = t.tobytes()
+        if key not in self._rows:
+            if len(self._rows) >= KEPT:
+                self._rows.clear()
+            rates = zip(*self.run.rates(self.signals, t), strict=True) if self.signals else ()
+            self._rows[key] = dict(zip(self.signals, rates, strict=True))
+        return self._rows[key]
 
     def stationary(self, node: Node) -> Array:
         """The times (s) at which an expression turns or may have a kink, ascending."""
@@ -133,9 +149,7 @@ class Probe:
         if t.size > FEW:
             return self.run.jets(self.node, t)
         # The program of all signals exists already, which for few times is faster than making a new one.
-        names = self.search.signals
-        rows = dict(zip(names, zip(*self.run.rates(names, t), strict=True), strict=True)) if names else {}
-        return self.run.combine(self.node, t, rows)
+        return self.run.combine(self.node, t, self.search.rows(t))
 
     @cached_property
     def near(self) -> float:

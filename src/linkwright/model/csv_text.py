@@ -13,6 +13,9 @@ from numpy.typing import NDArray
 
 from linkwright import escape
 
+EMPTY = '""'
+"""A row of one blank cell: a line with nothing in it is no row."""
+
 
 def head(name: str, unit: str) -> str:
     """A column's head: its name and unit."""
@@ -26,7 +29,8 @@ def cell(value: float | int) -> str:
 
 def numbers_text(header: list[str], columns: Iterable[NDArray[Any]]) -> str:
     """A table of numbers alone, from its columns; a cell is blank where a number isn't finite."""
-    return _written(header, zip(*map(_blanked, columns), strict=True))  # numbers are written as `cell` has them
+    rows = (",".join(row) or EMPTY for row in zip(*map(_cells, columns), strict=True))  # numbers need no quotes
+    return _written(header, ()) + "".join(f"{row}\n" for row in rows)
 
 
 def table_text(header: list[str], rows: Iterable[list[str]]) -> str:
@@ -42,7 +46,7 @@ def _written(header: list[str], rows: Iterable[Iterable[Any]]) -> str:
     return stream.getvalue()
 
 
-def _blanked(column: NDArray[Any]) -> list[Any]:
-    known = np.isfinite(column)
-    values: list[Any] = column.tolist()
-    return values if known.all() else [value if there else "" for value, there in zip(values, known, strict=True)]
+def _cells(column: NDArray[Any]) -> list[str]:
+    """The numbers of a column as :func:`cell` has them."""
+    known, texts = np.isfinite(column), [*map(repr, column.tolist())]
+    return texts if known.all() else [text if there else "" for text, there in zip(texts, known, strict=True)]

@@ -15,6 +15,7 @@ from linkwright.model.number_places import of_copies
 from linkwright.model.number_spans import NumberSpan, number_spans
 from linkwright.model.tolerances import ClassName, full_tolerance
 from linkwright.model.walk import QuantityPlace
+from linkwright.model.yaml_text import Source
 from linkwright.tolerances.classes import NoTolerance
 
 SHARE = 0.5
@@ -47,9 +48,10 @@ class LiveNumber(TypedDict):
     digits: str
 
 
-def live_numbers(named: NamedNumbers, text: str) -> list[LiveNumber]:
-    """The named parameters and written numbers of a model that stand as such in its text, in the order of the text."""
-    spans, signs = number_spans(named, text).spans, _signs(named)
+def live_numbers(named: NamedNumbers, written: str | Source) -> list[LiveNumber]:
+    """The named parameters and written numbers of a model that stand as such in its text, in the order of the text;
+    ``written`` is that, or what was read of it."""
+    spans, signs = number_spans(named, written).spans, _signs(named)
     found: list[LiveNumber] = []
     for name, span in sorted(spans.items(), key=lambda item: item[1].start):
         low, high = _range(named, name, span, signs.get(name, Sign.ANY))

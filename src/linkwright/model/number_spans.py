@@ -6,12 +6,10 @@ and a byte order mark stay as they are.
 
 from __future__ import annotations
 
-import io
 import math
 import re
 from collections.abc import Iterator, Mapping
 from decimal import Decimal
-from typing import Any
 
 from linkwright.expressions.dimensions import DimensionError, declared_scale
 from linkwright.expressions.language import ExpressionError, Node, Number, parse
@@ -22,7 +20,7 @@ from linkwright.model.copies import with_copies
 from linkwright.model.named_numbers import NamedNumbers
 from linkwright.model.number_places import NumberPlace, literal, number_places
 from linkwright.model.placed_copies import Placed
-from linkwright.model.yaml_text import read_text
+from linkwright.model.yaml_text import Source, WrittenScalar, read_text
 from linkwright.records import dataclass
 
 _NUMBER = re.compile(r"(?:[-+−]\s*)*(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
@@ -130,12 +128,12 @@ class NumberSpans:
         return text
 
 
-def number_spans(named: NamedNumbers, text: str) -> NumberSpans:
-    """Where the named parameters and the written numbers of a model stand in its text: that of its file, or the one
-    that :func:`~linkwright.model.document.dump` gives."""
-    offset = len(_MARK) if text.startswith(_MARK) else 0
-    data = read_text(text[offset:].encode()).data
-    scalars = _scalars(text[offset:]) if isinstance(data, dict) else {}
+def number_spans(named: NamedNumbers, written: str | Source) -> NumberSpans:
+    """Where the named parameters and the written numbers of a model stand in its text: that of its file, as text or as
+    it was read, or the one that :func:`~linkwright.model.document.dump` gives."""
+    source = written if isinstance(written, Source) else read_text(written.encode())
+    text = (source.text or "") if isinstance(written, Source) else written
+    offset, data = len(_MARK) if text.startswith(_MARK) else 0, source.data
     by_path = {place.path: place for place in number_places(named.written, data)} if isinstance(data, dict) else {}
     lines = [0, *(match.end() for match in _BREAK.finditer(text))]
     spans: dict[str, NumberSpan] = {}
@@ -146,7 +144,7 @@ def number_spans(named: NamedNumbers, text: str) -> NumberSpans:
         if place is None:
             refused[name] = _missing(named, placed, name)
             continue
-        found = _found(text, offset, place, scalars)
+        found = _found(text, offset, place, source.scalars)
         of = _unit(place.expression.node, dimension, named.quantities.declared)
         if found is None or of is None:
             refused[name] = "form" if found is None else "unit"
@@ -194,38 +192,9 @@ def _unit(node: Node, dimension: Dimension, declared: Mapping[str, str]) -> tupl
         return None
 
 
-@dataclass(frozen=True)
-class _Scalar:
-    """A value of the text: from ``start`` to ``end`` with its quotes, and what it reads as."""
-
-    start: int
-    end: int
-    quote: str
-    value: str
-
-
-def _scalars(text: str) -> dict[Path, _Scalar]:
-    """The values of a YAML text by their places in its data."""
-    from ruamel.yaml import YAML
-
-    found: dict[Path, _Scalar] = {}
-
-    def read(node: Any, path: Path) -> None:
-        if node.id == "mapping":
-            for key, value in node.value:
-                read(value, (*path, str(key.value)))
-        elif node.id == "sequence":
-            for i, value in enumerate(node.value):
-                read(value, (*path, i))
-        else:
-            quote = node.style if node.style in ("'", '"') else ""
-            found[path] = _Scalar(node.start_mark.index, node.end_mark.index, quote, node.value)
-
-    read(YAML(typ="safe", pure=True).compose(io.StringIO(text)), ())
-    return found
-
-
-def _found(text: str, offset: int, place: NumberPlace, scalars: Mapping[Path, _Scalar]) -> tuple[int, int, str] | None:
+def _found(
+    text: str, offset: int, place: NumberPlace, scalars: Mapping[Path, WrittenScalar]
+) -> tuple[int, int, str] | None:
     """From where to where the number of a place stands in the text, and the quotation mark around its value."""
     scalar = scalars.get(place.data_path)
     if scalar is None:

@@ -269,6 +269,11 @@ class Signals:
         of_contact = kind == "drive" and owners[0] in followers and attribute in followers[owners[0]].extra
         return Signal(kind, owners, attribute, attributes[attribute], of_contact)
 
+    @cached_property
+    def by_text(self) -> dict[str, Signal]:
+        """Every signal by its name, as it is written out."""
+        return {signal.text: signal for signal in self.all()}
+
     def all(self) -> list[Signal]:
         """Every signal of the mechanism, motion first, then forces; poles, one for any two links, only by name."""
         m = self.mechanism

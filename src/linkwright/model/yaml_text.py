@@ -7,7 +7,7 @@ import math
 import re
 from dataclasses import field
 from itertools import pairwise
-from typing import Any
+from typing import Any, NamedTuple
 
 from linkwright.expressions.full_width import TO_ASCII
 from linkwright.expressions.written import MAX_TEXT, NO_TEXT
@@ -49,9 +49,20 @@ _REASONS = {
 """Why YAML gives up, by how its own sentence begins."""
 
 
+class WrittenScalar(NamedTuple):
+    """A value that is neither a mapping nor a list: from ``start`` to ``end`` in the text with its quotes, the
+    quotation mark around it (empty without), and what it reads as."""
+
+    start: int
+    end: int
+    quote: str
+    value: str
+
+
 @dataclass
 class Source:
-    """What a file holds: its data, the line of each entry, and what is wrong with its text.
+    """What a file holds: its data, the line of each entry and the places of its scalars, and what is wrong with its
+    text.
 
     ``spoilt`` are the places of which a finding tells already; ``data`` is ``None`` where nothing could be read,
     ``text`` where it is no text. ``remarks`` are warnings and notes, on a text that is read all the same.
@@ -60,6 +71,7 @@ class Source:
     data: Any = None
     text: str | None = None
     lines: dict[Path, int] = field(default_factory=dict)
+    scalars: dict[Path, WrittenScalar] = field(default_factory=dict)
     findings: list[Finding] = field(default_factory=list)
     remarks: list[Finding] = field(default_factory=list)
     spoilt: set[Path] = field(default_factory=set)
@@ -198,6 +210,9 @@ class _Builder:
         if getattr(event, "tag", None) is not None and str(event.tag) not in ("!", "None"):
             self.note("file.tag", line, path, tag=str(event.tag)[:60])
         if kind == "ScalarEvent":
+            quote = event.style if event.style in ("'", '"') else ""
+            start, end = event.start_mark.index, event.end_mark.index
+            self.source.scalars[path] = WrittenScalar(start, end, quote, event.value)
             if NO_TEXT.search(event.value):
                 self.note("file.character", line, path)
                 return None

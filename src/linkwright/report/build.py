@@ -16,6 +16,7 @@ from linkwright.findings import Finding, Said, Text
 from linkwright.measures import sampled_times
 from linkwright.model.document import Document, dump
 from linkwright.model.origin import Origin, hashed
+from linkwright.model.yaml_text import Source, read_text
 from linkwright.presentation.json_numbers import listed
 from linkwright.presentation.lettering import without_hanzi_spaces
 from linkwright.report.arrows import arrow_data, arrows, force_name
@@ -61,12 +62,12 @@ def report_data(
     outcomes: Outcomes,
     examined: Sequence[Finding] = (),
     origin: Origin | None = None,
-    text: str | None = None,
+    text: str | Source | None = None,
 ) -> ReportData:
     """Everything that the report of some outcomes shows, in the file's units. One of them has something to draw.
 
-    ``examined`` are the findings on the file itself, ``text`` is what stands in it. Without an ``origin`` it is that of
-    a document made in Python.
+    ``examined`` are the findings on the file itself, ``text`` is what stands in it, or was read of it. Without an
+    ``origin`` it is that of a document made in Python.
     """
     origin = origin or Origin(None, hashed(dump(document).encode()))
     whole, shown = drawn(outcomes), outcomes.reports()
@@ -76,9 +77,11 @@ def report_data(
         result = result.at(rounded(sampled_times(result.run, result.run.steps)))
     findings = [*examined, *found(outcomes)]
     picture, curves = scene(result), plots(result) if result.t[-1] > result.t[0] else []
-    text = dump(document) if text is None else text
+    source = text if isinstance(text, Source) else Source(text=text)
+    if source.data is None:
+        source = read_text((source.text or dump(document)).encode())
     shown_arrows = arrows(result) if can_be_live(result) else []
-    live = live_data(document, text, result, picture, curves, shown_arrows)
+    live = live_data(document, source, result, picture, curves, shown_arrows)
     if live and shown_arrows:
         picture["arrows"] = arrow_data(result, shown_arrows)
     data: ReportData = {
@@ -96,7 +99,7 @@ def report_data(
         "structure": facts(result.run.compiled),
         "failures": [_failure(finding) for finding in findings if finding.severity != "note"],
         "notes": [_failure(finding) for finding in findings if finding.severity == "note"],
-        "model_text": text,
+        "model_text": source.text or "",
     }
     if areas := [area for one in shown for area in one.areas]:
         data["scene"]["areas"] = [{"name": area.name, "rings": area.rings} for area in areas]

@@ -25,6 +25,7 @@ from linkwright.model.desugar import file_paths
 from linkwright.model.document import Document
 from linkwright.model.live_numbers import live_numbers
 from linkwright.model.named_numbers import NamedNumbers, named_numbers
+from linkwright.model.yaml_text import Source
 from linkwright.presentation.json_numbers import known
 from linkwright.report.arrows import Arrow, arrow_rows
 from linkwright.report.data import LiveData, LiveNumber, Plot, Scene
@@ -53,10 +54,15 @@ def can_be_live(result: Result) -> bool:
 
 
 def live_data(
-    document: Document, text: str, result: Result, scene: Scene, plots: Sequence[Plot], arrows: Sequence[Arrow] = ()
+    document: Document,
+    source: Source,
+    result: Result,
+    scene: Scene,
+    plots: Sequence[Plot],
+    arrows: Sequence[Arrow] = (),
 ) -> LiveData | None:
-    """The data of a result that a report shows by this scene, plots and arrows; ``text`` is that of the model file.
-    ``None`` where the page can't compute it."""
+    """The data of a result that a report shows by this scene, plots and arrows; ``source`` is what was read of the
+    model file. ``None`` where the page can't compute it."""
     if not can_be_live(result):
         return None
     recorded, named = result.run.compiled, named_numbers(document)
@@ -88,7 +94,7 @@ def live_data(
     )
     values = [*recorded.evaluate(recorded.graph.pose_rows, result.t), *(result[name] for name in signals)]
     values += [*recorded.evaluate(others, result.t)] if others else []
-    numbers, lines = _numbers(made, named, text)
+    numbers, lines = _numbers(made, named, source)
     probed = [*enumerate(values)][::EVERY]
     kinds = [*("pose" for _ in compiled.graph.pose_rows), *dimensions]
     return {
@@ -143,13 +149,13 @@ def _scales(rows: Sequence[Array], kinds: Sequence[object]) -> list[float]:
     ]
 
 
-def _numbers(made: PagePrograms, named: NamedNumbers, text: str) -> tuple[list[LiveNumber], list[str]]:
+def _numbers(made: PagePrograms, named: NamedNumbers, source: Source) -> tuple[list[LiveNumber], list[str]]:
     """The numbers that stand in the text and are free; the lines in which they do."""
     found: list[LiveNumber] = []
-    lines, whole = dict[int, int](), text.splitlines()
+    lines, whole = dict[int, int](), (source.text or "").splitlines()
     free, stated = {*made.derived.inputs}, made.compiled.mechanism.parameters
     scales = {LENGTH: made.compiled.assembly.size(), ANGLE: 1.0}
-    for one in live_numbers(named, text):
+    for one in live_numbers(named, source):
         name = one["name"]
         if name not in free:
             continue

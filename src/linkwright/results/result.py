@@ -64,7 +64,7 @@ class Result:
     @cached_property
     def names(self) -> tuple[str, ...]:
         """All signals of the mechanism."""
-        return tuple(signal.text for signal in self.run.compiled.quantities.signals.all())
+        return tuple(self.run.compiled.quantities.signals.by_text)
 
     @cached_property
     def _values(self) -> dict[str, Array]:
@@ -84,6 +84,8 @@ class Result:
 
     def dimension(self, text: str) -> Dimension:
         """The dimension of a signal or expression. Raises :class:`ModelError` for what isn't one."""
+        if (signal := self.run.compiled.quantities.signals.by_text.get(text)) is not None:
+            return signal.dimension
         with _read(text):
             return self.run.compiled.quantities.dimensions.dimension(parse(text))
 
