@@ -27,7 +27,7 @@ from linkwright.model.actions import Table, Window
 from linkwright.model.gravity import Gravity
 from linkwright.model.motions import MotionLaw
 from linkwright.model.parts import Joint, Link, Parameter, Plane, Units
-from linkwright.model.sections import MAX_ENTRIES, MAX_LINKS, Sections, at_most
+from linkwright.model.sections import MAX_ENTRIES, MAX_LINKS, Sections, WhenThere, at_most
 from linkwright.model.subassembly import Subassembly
 from linkwright.reductions import Measure
 
@@ -69,9 +69,9 @@ class Head(Frozen):
     units: Units = Units()
     gravity: Gravity | None = None
     plane: Plane | None = None
-    subassemblies: Annotated[dict[Name, Subassembly], at_most(MAX_ENTRIES), freeze, OWN_SCOPE] = Field(
-        default_factory=FrozenDict
-    )
+    subassemblies: Annotated[
+        dict[Name, Annotated[Subassembly, WhenThere(Subassembly)]], at_most(MAX_ENTRIES), freeze, OWN_SCOPE
+    ] = Field(default_factory=FrozenDict)
 
 
 class Mechanism(Sections, Head):

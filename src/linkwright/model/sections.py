@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Annotated, Any
+from typing import Annotated, Any, cast
 
 from pydantic import (
     BaseModel,
@@ -14,7 +14,6 @@ from pydantic import (
     SerializationInfo,
     SerializeAsAny,
     ValidationError,
-    ValidatorFunctionWrapHandler,
 )
 from pydantic_core import CoreSchema, InitErrorDetails, core_schema
 
@@ -61,31 +60,48 @@ def at_most(limit: int) -> BeforeValidator:
 _bound = at_most(MAX_ENTRIES)
 
 
-class _AnyKind:
+class WhenThere:
+    """An entry whose class pydantic makes ready to read when a file has one: few files have all sections."""
+
+    def __init__(self, usual: type[BaseModel]) -> None:
+        self.usual = usual
+
+    def read(self, raw: Any) -> Any:
+        """The entry from plain data, or as it is."""
+        return self.usual.model_validate(raw)
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        return core_schema.no_info_plain_validator_function(
+            self.read, serialization=core_schema.plain_serializer_function_ser_schema(_dumped, info_arg=True)
+        )
+
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+        """That of the class, once for all sections that have such entries."""
+        ref = f"{self.usual.__module__}.{self.usual.__qualname__}:{id(self.usual)}"  # as pydantic names classes
+        stated = cast(CoreSchema, {**self.usual.__pydantic_core_schema__, "ref": ref})
+        return handler(core_schema.definitions_schema(core_schema.definition_reference_schema(ref), [stated]))
+
+
+class _AnyKind(WhenThere):
     """An entry of any kind: one whose kind is among its keys, or the section's ``usual`` one with its ``own`` keys."""
 
     def __init__(self, section: str, usual: type[BaseModel], *own: str) -> None:
-        self.entries, self.section, self.usual, self.own = ENTRIES[section], section, usual, {*own}
+        super().__init__(usual)
+        self.entries, self.section, self.own = ENTRIES[section], section, {*own}
 
-    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
-        def read(raw: Any, usual: ValidatorFunctionWrapHandler) -> Any:
-            if isinstance(raw, ElementEntry) and type(raw) is self.entries.get(raw.kind):
-                return raw
-            if not isinstance(raw, Mapping):
-                return usual(raw)
-            if len(kinds := self.entries_of(raw)) > 1:
-                raise fault("file.kinds", keys=_distinct_keys(raw, kinds))
-            if kind := self.entries.get(next(iter(kinds), "")):
-                return kind.model_validate(raw)
-            if (misspelled := self.misspelled(raw)) is not None:
-                raise ValidationError.from_exception_data(self.section, [misspelled])
-            return usual(raw)
-
-        return core_schema.no_info_wrap_validator_function(
-            read,
-            handler(source),
-            serialization=core_schema.plain_serializer_function_ser_schema(_dumped, info_arg=True),
-        )
+    def read(self, raw: Any) -> Any:
+        """The entry from plain data, or as it is."""
+        if isinstance(raw, ElementEntry) and type(raw) is self.entries.get(raw.kind):
+            return raw
+        if not isinstance(raw, Mapping):
+            return super().read(raw)
+        if len(kinds := self.entries_of(raw)) > 1:
+            raise fault("file.kinds", keys=_distinct_keys(raw, kinds))
+        if kind := self.entries.get(next(iter(kinds), "")):
+            return kind.model_validate(raw)
+        if (misspelled := self.misspelled(raw)) is not None:
+            raise ValidationError.from_exception_data(self.section, [misspelled])
+        return super().read(raw)
 
     def entries_of(self, raw: Mapping[str, Any]) -> dict[str, type[BaseModel]]:
         """The entries of the kinds that the keys of one speak of, by these keys; the usual one has none."""
@@ -103,8 +119,9 @@ class _AnyKind:
 
     def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
         load("elements")
+        usual = super().__get_pydantic_json_schema__(schema, handler)
         others = [handler(entry.__pydantic_core_schema__) for entry in self.entries.values()]
-        return {"anyOf": [handler(schema), *others]} if others else handler(schema)
+        return {"anyOf": [usual, *others]} if others else usual
 
     def misspelled(self, raw: Mapping[str, Any]) -> InitErrorDetails | None:
         """The fault of a key that was to be a kind; what stands beside it is looked at once that is right."""
@@ -144,6 +161,12 @@ def _dumped(entry: Any, info: SerializationInfo) -> Any:
     return entry.model_dump(exclude_defaults=info.exclude_defaults, by_alias=bool(info.by_alias))
 
 
+_Cam = Annotated[Cam, WhenThere(Cam)]
+_Copy = Annotated[Copy, WhenThere(Copy)]
+_Cylinder = Annotated[Cylinder, WhenThere(Cylinder)]
+_Law = Annotated[MotionLaw, WhenThere(MotionLaw)]
+_Path = Annotated[PointPath, WhenThere(PointPath)]
+_Table = Annotated[Table, WhenThere(Table)]
 _Joint = Annotated[Joint, _AnyKind("joints", Joint, "prismatic", "revolute")]
 _Load = Annotated[Load, _AnyKind("loads", Load, "force", "torque")]
 _Spring = Annotated[Spring, _AnyKind("springs", Spring, "from", "to", "turns")]
@@ -157,17 +180,17 @@ class Sections(Frozen):
     parameters: Annotated[dict[Name, Parameter], _bound, freeze] = Field(default_factory=FrozenDict)
     sketch: Annotated[dict[Name, Place], _bound, freeze] = Field(default_factory=FrozenDict)
     links: Annotated[dict[Name, Link], at_most(MAX_LINKS), freeze]
-    copies: Annotated[dict[Name, Copy], _bound, freeze] = Field(default_factory=FrozenDict)
+    copies: Annotated[dict[Name, _Copy], _bound, freeze] = Field(default_factory=FrozenDict)
     joints: Annotated[dict[Name, _Joint], _bound, freeze] = Field(default_factory=FrozenDict)
-    cylinders: Annotated[dict[Name, Cylinder], _bound, freeze] = Field(default_factory=FrozenDict)
+    cylinders: Annotated[dict[Name, _Cylinder], _bound, freeze] = Field(default_factory=FrozenDict)
     assembly: Annotated[dict[Annotated[Name, Ref("pivot")], AssemblyRule], _bound, freeze] = Field(
         default_factory=FrozenDict
     )
     drives: Annotated[dict[Name, Drive], _bound, freeze] = Field(default_factory=FrozenDict)
-    paths: Annotated[dict[Name, PointPath], _bound, freeze] = Field(default_factory=FrozenDict)
-    tables: Annotated[dict[Name, Table], _bound, freeze] = Field(default_factory=FrozenDict)
-    laws: Annotated[dict[Name, MotionLaw], _bound, freeze] = Field(default_factory=FrozenDict)
-    cams: Annotated[dict[Name, Cam], _bound, freeze] = Field(default_factory=FrozenDict)
+    paths: Annotated[dict[Name, _Path], _bound, freeze] = Field(default_factory=FrozenDict)
+    tables: Annotated[dict[Name, _Table], _bound, freeze] = Field(default_factory=FrozenDict)
+    laws: Annotated[dict[Name, _Law], _bound, freeze] = Field(default_factory=FrozenDict)
+    cams: Annotated[dict[Name, _Cam], _bound, freeze] = Field(default_factory=FrozenDict)
     loads: Annotated[dict[Name, _Load], _bound, freeze] = Field(default_factory=FrozenDict)
     springs: Annotated[dict[Name, _Spring], _bound, freeze] = Field(default_factory=FrozenDict)
     counterweights: Annotated[dict[Name, _Counterweight], _bound, freeze] = Field(default_factory=FrozenDict)
