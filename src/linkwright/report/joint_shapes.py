@@ -38,8 +38,6 @@ def is_cylinder(topology: Topology, slide: str) -> bool:
 
 def joint_shapes(result: Result, size: float, extent: float) -> Shapes:
     """What is drawn of joints on each link, in a unit of ``size`` m; ``extent`` (m) is the size of the drawing."""
-    import shapely
-
     compiled, found = result.run.compiled, Shapes()
     geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
     for name, travels in _drawn(compiled):
@@ -52,10 +50,16 @@ def joint_shapes(result: Result, size: float, extent: float) -> Shapes:
             at = first + (last - first) * _shares(curve)
             drawn = np.column_stack([value + 0.0 * at for value in curve.place(at)])
             if not curve.closed:
-                ring = shapely.LineString(drawn).buffer(WIDTH / 2 * extent, quad_segs=ROUND).exterior
-                drawn = np.array(ring.coords)[:-1]
+                drawn = _widened(drawn, WIDTH / 2 * extent)
             found.setdefault(curve.link, []).append((drawn / size).tolist())
     return found
+
+
+def _widened(line: Array, half: float) -> Array:
+    """The outline of all that lies within a distance of a line."""
+    from shapely import LineString
+
+    return np.array(LineString(line).buffer(half, quad_segs=ROUND).exterior.coords)[:-1]
 
 
 def live_joint_shapes(compiled: Compiled) -> Iterator[LiveOutline]:
