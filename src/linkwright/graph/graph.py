@@ -37,6 +37,7 @@ class Graph:
     _views: dict[int, View] = field(default_factory=dict)
     _programs: dict[tuple[tuple[Named, ...], bool, bool], Program] = field(default_factory=dict)
     _read: dict[str, SignalRow] = field(default_factory=dict)
+    _wrapped: dict[Named, bool] = field(default_factory=dict)
 
     @cached_property
     def drives(self) -> tuple[str, ...]:
@@ -230,13 +231,15 @@ class Graph:
 
     def wrapped(self, named: Named) -> bool:
         """Whether a row is an angle that jumps so."""
-        (signal,) = self.signals([named])
-        return (
-            signal is not None
-            and signal.kind in ("link", "drive")
-            and signal.attribute == "angle"
-            and self.wraps(signal.owners[0])
-        )
+        if named not in self._wrapped:
+            (signal,) = self.signals([named])
+            self._wrapped[named] = (
+                signal is not None
+                and signal.kind in ("link", "drive")
+                and signal.attribute == "angle"
+                and self.wraps(signal.owners[0])
+            )
+        return self._wrapped[named]
 
     @cached_property
     def _bare(self) -> View:

@@ -89,7 +89,8 @@ class Compiled:
         width = self.graph.width
         x = np.empty((len(self.graph.inputs), t.size))
         for i, drive in enumerate(self.graph.drives):
-            x[i * width : (i + 1) * width] = [np.broadcast_to(d, t.shape) for d in self.laws[drive](t).d]
+            for row, d in zip(x[i * width : (i + 1) * width], self.laws[drive](t).d, strict=True):
+                row[:] = d
         for i, group in enumerate(self.graph.branched, start=width * len(self.graph.drives)):
             x[i] = self.assembly.branches[group] * self.passages.sign(group.label, t)
         x[self.graph.first_unknown :] = np.nan

@@ -14,6 +14,7 @@ from linkwright.presentation.scripts import built
 from linkwright.report import sections
 from linkwright.report.data import ReportData
 from linkwright.report.html_blocks import section
+from linkwright.report.mechanism_drawing import drawing
 from linkwright.report.packed import packed, packed_live, without_series, without_values
 from linkwright.report.signal_list import KINDS
 from linkwright.words import say
@@ -129,7 +130,7 @@ def page(data: ReportData) -> str:
     sheets = ["mechanism.css", *(["studies.css"] if charts else [])]
     return html_file(
         data["title"],
-        partial(_body, data),
+        partial(_body, data, drawing(data["scene"])),  # drawn once: where no script runs, no language is chosen
         data=blocks,
         scripts=scripts,
         words=partial(_words, data),
@@ -138,14 +139,14 @@ def page(data: ReportData) -> str:
     )
 
 
-def _body(data: ReportData) -> str:
+def _body(data: ReportData, still: str) -> str:
     return "\n".join(
         [
             sections.header(data),
             sections.failures(data),
             sections.notes(data),
             "<main>",
-            sections.stage(data),
+            sections.stage(still),
             '<div class="results">',
             sections.dimensions(data),
             *map(section, sections.results(data)),

@@ -9,7 +9,6 @@ from linkwright.findings import Text
 from linkwright.presentation.blocks import Check, Checks, Measure, Measures, Section
 from linkwright.report.data import Failure, Plot, ReportData
 from linkwright.report.html_blocks import mark
-from linkwright.report.mechanism_drawing import drawing
 from linkwright.report.prose import prose
 from linkwright.words import say
 
@@ -110,15 +109,15 @@ def _findings(data: ReportData, name: str, found: Sequence[Failure], kind: str, 
     )
 
 
-def stage(data: ReportData) -> str:
-    """Places for the animated drawing (screen) and the one with ghost poses (paper), and the latter itself for pages
-    whose scripts don't run."""
+def stage(still: str) -> str:
+    """Places for the animated drawing (screen) and the one with ghost poses (paper), and the ``still`` one itself for
+    pages whose scripts don't run."""
     caption = f"<figcaption>{markup(say('report.still'))}</figcaption>"
     return (
         f'<section id="mechanism"><h2>{markup(say("report.mechanism"))}</h2>'
         f'<div id="drawing" class="panel screen"></div>'
         f'<figure class="paper"><div id="still"></div>{caption}</figure>'
-        f'<noscript><figure class="panel">{drawing(data["scene"])}{caption}</figure></noscript></section>'
+        f'<noscript><figure class="panel">{still}{caption}</figure></noscript></section>'
     )
 
 
