@@ -10,13 +10,17 @@ from pydantic import BaseModel
 
 from linkwright import compilation
 from linkwright.app.job import examine_document
+from linkwright.elements import FORCES
+from linkwright.elements.entries import ENTRIES
 from linkwright.exports import TARGETS
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen, Name
 from linkwright.expressions.typed_fields import ELSEWHERE, Context, Quantity, Ref, Sign
 from linkwright.model.document import Document
+from linkwright.model.known_keys import _inside
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.walk import ExpressionPlace, Spec, _fields, references, sites
+from linkwright.reductions import ENTRIES as MEASURES
 from linkwright.studies import STUDIES
 from model.given import four_bar
 
@@ -46,9 +50,23 @@ def _parts(spec: Spec) -> Iterator[type[BaseModel]]:
         yield from _parts(inner)
 
 
+def of_sections() -> list[type[BaseModel]]:
+    """The entries of all kinds that the sections of a file may have."""
+    sections = [inner for name in Mechanism.model_fields for inner in _inside(Mechanism, name, None)]
+    found = dict.fromkeys(kind for section in sections for kind in _inside(section, "NAME", None))
+    return [kind for kind in found if isinstance(kind, type) and issubclass(kind, BaseModel)]
+
+
+def test_all_kinds_of_entries_are_looked_at() -> None:
+    kinds = {*of_sections()}
+    assert {kind.entry for kind in FORCES.values()} | {*MEASURES.values()} <= kinds
+    assert {entry for entries in ENTRIES.values() for entry in entries.values()} <= kinds
+    assert BaseModel not in kinds and len(kinds) > 30
+
+
 @pytest.mark.parametrize(
     "entry",
-    [Mechanism, *(entry.options for entry in (*STUDIES.values(), *TARGETS.values()))],
+    [Mechanism, *of_sections(), *(entry.options for entry in (*STUDIES.values(), *TARGETS.values()))],
     ids=lambda entry: str(entry.__name__),
 )
 def test_every_expression_is_a_stated_quantity(entry: type[BaseModel]) -> None:

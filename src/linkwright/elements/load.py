@@ -17,7 +17,7 @@ from linkwright.elements.force import ForceContext, ForceKind, ForceReports, Use
 from linkwright.elements.joint import Applied
 from linkwright.elements.mirror import Mirror, NotMirroredError
 from linkwright.elements.points import FRAME
-from linkwright.expressions.dimensions import Wanted
+from linkwright.expressions.dimensions import crossed
 from linkwright.expressions.fields import Expression, Name
 from linkwright.expressions.language import is_signal, nodes
 from linkwright.expressions.typed_fields import Path, Quantity, Ref, Scope
@@ -32,11 +32,6 @@ Force = Annotated[
     Annotated[Vector, Tag("vector")] | Annotated[Expression, Tag("scalar")],
     Discriminator(lambda raw: "vector" if isinstance(raw, list | tuple) else "scalar"),
 ]
-
-
-def crossed(name: str) -> Wanted:
-    """The unknown dimension of the signal that bounds a window."""
-    return (f"window {name}", 0)
 
 
 class Load(ForceEntry):

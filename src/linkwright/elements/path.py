@@ -31,9 +31,6 @@ from linkwright.notation import Pair
 from linkwright.notation.jets import call
 from linkwright.records import dataclass
 
-AXES = ("x", "y")
-"""The coordinates, in the order of the drives that prescribe them."""
-
 
 class PathArc(Frozen):
     """An arc about a ``centre``; the distance along it counts counter-clockwise from the direction ``from``."""

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+AXES = ("x", "y")
+"""The coordinates of a point, in the order of the drives that prescribe them along a path."""
 FRAME = "frame"
 """The name of the link that doesn't move."""
 

@@ -134,6 +134,11 @@ def value(table: str) -> Unknown:
     return (f"value {table}", 0)
 
 
+def crossed(window: str) -> Unknown:
+    """The unknown dimension of the signal that bounds a window."""
+    return (f"window {window}", 0)
+
+
 def declared_scale(dimension: Dimension, declared: Mapping[str, str]) -> float:
     """The SI value of one declared unit of ``dimension``. Raises DimensionError where it isn't declared."""
     if dimension == PURE:

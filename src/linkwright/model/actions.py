@@ -9,8 +9,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Discriminator, Tag, WithJsonSchema
 
 from linkwright.elements.fields import Interval, freeze
-from linkwright.elements.load import crossed
-from linkwright.expressions.dimensions import argument, value
+from linkwright.expressions.dimensions import argument, crossed, value
 from linkwright.expressions.fields import Expression, Frozen, Two, fault, pair, parse_text
 from linkwright.expressions.language import is_signal
 from linkwright.expressions.system import Unknown

@@ -3,23 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Annotated, Self
+from typing import TYPE_CHECKING, Annotated, Self
 
-from pydantic import Field, PrivateAttr
+from pydantic import BaseModel, Field, PrivateAttr
 
-from linkwright.elements.cam_contact.entry import Cam
-from linkwright.elements.counterweight import Counterweight
 from linkwright.elements.cylinder import Cylinder
 from linkwright.elements.drive import Drive
 from linkwright.elements.fields import freeze
 from linkwright.elements.follower import Follower
 from linkwright.elements.force import Acting, acting
-from linkwright.elements.friction import Friction
-from linkwright.elements.load import Load
 from linkwright.elements.mover import Mover
-from linkwright.elements.path import Coordinate, PointPath
 from linkwright.elements.points import FRAME
-from linkwright.elements.spring import Spring
 from linkwright.escape import line
 from linkwright.expressions.fields import Frozen, FrozenDict, LongText, Name, Text
 from linkwright.expressions.typed_fields import OWN_SCOPE
@@ -28,26 +22,26 @@ from linkwright.model.gravity import Gravity
 from linkwright.model.motions import MotionLaw
 from linkwright.model.parts import Joint, Link, Parameter, Plane, Units
 from linkwright.model.sections import MAX_ENTRIES, MAX_LINKS, Sections, WhenThere, at_most
-from linkwright.model.subassembly import Subassembly
 from linkwright.reductions import Measure
+
+if TYPE_CHECKING:
+    from linkwright.elements.path import PointPath
+    from linkwright.model.subassembly import Subassembly
+else:  # imported by WhenThere
+    Subassembly = BaseModel
 
 __all__ = [
     "FRAME",
     "MAX_ENTRIES",
     "MAX_LINKS",
-    "Cam",
-    "Counterweight",
     "Cylinder",
     "Drive",
-    "Friction",
     "Joint",
     "Link",
-    "Load",
     "Measure",
     "Mechanism",
     "MotionLaw",
     "Parameter",
-    "Spring",
     "Table",
     "Units",
     "Window",
@@ -56,6 +50,9 @@ __all__ = [
 
 FOLLOWING = ("cams", "joints")
 """The sections in which joints stand that have a link follow a drive."""
+
+
+_Subassembly = Annotated[Subassembly, WhenThere("model.subassembly.Subassembly")]
 
 
 class Head(Frozen):
@@ -69,9 +66,9 @@ class Head(Frozen):
     units: Units = Units()
     gravity: Gravity | None = None
     plane: Plane | None = None
-    subassemblies: Annotated[
-        dict[Name, Annotated[Subassembly, WhenThere(Subassembly)]], at_most(MAX_ENTRIES), freeze, OWN_SCOPE
-    ] = Field(default_factory=FrozenDict)
+    subassemblies: Annotated[dict[Name, _Subassembly], at_most(MAX_ENTRIES), freeze, OWN_SCOPE] = Field(
+        default_factory=FrozenDict
+    )
 
 
 class Mechanism(Sections, Head):
@@ -116,6 +113,8 @@ class Mechanism(Sections, Head):
         if entry is None or entry.output is None:
             return entry or self._followers[mover]
         if (path := self.paths.get(entry.output)) is not None:
+            from linkwright.elements.path import Coordinate
+
             return Coordinate(path, entry.output, self.path_drives(entry.output).index(mover) > 0)
         if (joint := self.joints.get(entry.output)) is not None:
             on, link = joint.links

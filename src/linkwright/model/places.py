@@ -10,8 +10,8 @@ from collections.abc import Iterable, Iterator
 from itertools import chain
 
 from linkwright.elements.entries import NOUNS
-from linkwright.elements.load import crossed
 from linkwright.expressions import units as u
+from linkwright.expressions.dimensions import crossed
 from linkwright.expressions.fields import FrozenDict
 from linkwright.expressions.typed_fields import Context, Path, Scope
 from linkwright.model.mechanism import Mechanism

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Annotated, Any, cast
+from functools import cached_property
+from importlib import import_module
+from typing import TYPE_CHECKING, Annotated, Any, cast
 
 from pydantic import (
     BaseModel,
@@ -17,16 +19,10 @@ from pydantic import (
 )
 from pydantic_core import CoreSchema, InitErrorDetails, core_schema
 
-from linkwright.elements.cam_contact.entry import Cam
-from linkwright.elements.counterweight import Counterweight
 from linkwright.elements.cylinder import Cylinder
 from linkwright.elements.drive import Drive
 from linkwright.elements.entries import ENTRIES, ElementEntry, entries_by_key, keys_of
 from linkwright.elements.fields import freeze
-from linkwright.elements.friction import Friction
-from linkwright.elements.load import Load
-from linkwright.elements.path import PointPath
-from linkwright.elements.spring import Spring
 from linkwright.expressions.fields import AssemblyRule, Frozen, FrozenDict, Name, Place, Requirement, fault
 from linkwright.expressions.typed_fields import Ref
 from linkwright.expressions.unknown import alike
@@ -39,6 +35,16 @@ from linkwright.model.parts import Joint, Link, Parameter
 from linkwright.plugins import load
 from linkwright.reductions import ENTRIES as MEASURES
 from linkwright.reductions import Measure
+
+if TYPE_CHECKING:
+    from linkwright.elements.cam_contact.entry import Cam
+    from linkwright.elements.counterweight import Counterweight
+    from linkwright.elements.friction import Friction
+    from linkwright.elements.load import Load
+    from linkwright.elements.path import PointPath
+    from linkwright.elements.spring import Spring
+else:  # their classes are imported by WhenThere
+    Cam = Counterweight = Friction = Load = PointPath = Spring = BaseModel
 
 MAX_ENTRIES, MAX_LINKS = 1000, 200
 """The most entries that one section may hold; of links fewer, since their decomposition is searched for."""
@@ -61,10 +67,21 @@ _bound = at_most(MAX_ENTRIES)
 
 
 class WhenThere:
-    """An entry whose class pydantic makes ready to read when a file has one: few files have all sections."""
+    """An entry whose class, at a ``place`` of this package such as ``model.copy_entry.Copy``, is imported and made
+    ready by pydantic when a file has one: few files have all sections."""
 
-    def __init__(self, usual: type[BaseModel]) -> None:
-        self.usual = usual
+    def __init__(self, place: str) -> None:
+        self.place = place
+
+    @cached_property
+    def usual(self) -> type[BaseModel]:
+        """The class."""
+        module, _, name = self.place.rpartition(".")
+        return cast(type[BaseModel], getattr(import_module(f"linkwright.{module}"), name))
+
+    def kinds(self, raw: Any) -> list[type]:
+        """The entries of which one may be, as far as its keys tell."""
+        return [self.usual]
 
     def read(self, raw: Any) -> Any:
         """The entry from plain data, or as it is."""
@@ -85,7 +102,7 @@ class WhenThere:
 class _AnyKind(WhenThere):
     """An entry of any kind: one whose kind is among its keys, or the section's ``usual`` one with its ``own`` keys."""
 
-    def __init__(self, section: str, usual: type[BaseModel], *own: str) -> None:
+    def __init__(self, section: str, usual: str, *own: str) -> None:
         super().__init__(usual)
         self.entries, self.section, self.own = ENTRIES[section], section, {*own}
 
@@ -111,7 +128,6 @@ class _AnyKind(WhenThere):
         return kinds
 
     def kinds(self, raw: Any) -> list[type]:
-        """The entries of which one may be, as far as its keys tell."""
         keys = raw.keys() if isinstance(raw, Mapping) else ()
         if chosen := [self.entries[kind] for kind in self.entries if kind in keys]:
             return chosen
@@ -161,17 +177,17 @@ def _dumped(entry: Any, info: SerializationInfo) -> Any:
     return entry.model_dump(exclude_defaults=info.exclude_defaults, by_alias=bool(info.by_alias))
 
 
-_Cam = Annotated[Cam, WhenThere(Cam)]
-_Copy = Annotated[Copy, WhenThere(Copy)]
-_Cylinder = Annotated[Cylinder, WhenThere(Cylinder)]
-_Law = Annotated[MotionLaw, WhenThere(MotionLaw)]
-_Path = Annotated[PointPath, WhenThere(PointPath)]
-_Table = Annotated[Table, WhenThere(Table)]
-_Joint = Annotated[Joint, _AnyKind("joints", Joint, "prismatic", "revolute")]
-_Load = Annotated[Load, _AnyKind("loads", Load, "force", "torque")]
-_Spring = Annotated[Spring, _AnyKind("springs", Spring, "from", "to", "turns")]
-_Counterweight = Annotated[Counterweight, _AnyKind("counterweights", Counterweight, "mass")]
-_Friction = Annotated[Friction, _AnyKind("friction", Friction, "pin", "slide")]
+_Cam = Annotated[Cam, WhenThere("elements.cam_contact.entry.Cam")]
+_Copy = Annotated[Copy, WhenThere("model.copy_entry.Copy")]
+_Cylinder = Annotated[Cylinder, WhenThere("elements.cylinder.Cylinder")]
+_Law = Annotated[MotionLaw, WhenThere("model.motions.MotionLaw")]
+_Path = Annotated[PointPath, WhenThere("elements.path.PointPath")]
+_Table = Annotated[Table, WhenThere("model.actions.Table")]
+_Joint = Annotated[Joint, _AnyKind("joints", "model.parts.Joint", "prismatic", "revolute")]
+_Load = Annotated[Load, _AnyKind("loads", "elements.load.Load", "force", "torque")]
+_Spring = Annotated[Spring, _AnyKind("springs", "elements.spring.Spring", "from", "to", "turns")]
+_Counterweight = Annotated[Counterweight, _AnyKind("counterweights", "elements.counterweight.Counterweight", "mass")]
+_Friction = Annotated[Friction, _AnyKind("friction", "elements.friction.Friction", "pin", "slide")]
 
 
 class Sections(Frozen):

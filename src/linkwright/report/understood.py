@@ -11,7 +11,7 @@ import numpy as np
 from linkwright.elements.drive import Drive
 from linkwright.elements.entries import NOUNS
 from linkwright.elements.mover import Mover
-from linkwright.elements.path import AXES
+from linkwright.elements.points import AXES
 from linkwright.expressions import units as u
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Joined, Said, Text

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.elements.path import AXES
+from linkwright.elements.points import AXES
 from linkwright.findings import Joined
 from linkwright.formulas.motor import MotorProgram, unit_of
 from linkwright.formulas.terms import number
