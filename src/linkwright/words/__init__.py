@@ -62,19 +62,22 @@ def catalogue(name: str | None = None) -> dict[str, str]:
 
 
 @cache
-def _catalogue(name: str) -> dict[str, str]:
-    return dict(pair for module in modules(name) for pair in texts(module))
+def _begun(name: str) -> dict[str, str]:
+    """The usual texts, to which the others are added when one of them is asked for."""
+    return dict(pair for module in USUAL for pair in texts(import_module(f"linkwright.words.{name}.{module}")))
 
 
 @cache
-def _usual(name: str) -> dict[str, str]:
-    return dict(pair for module in USUAL for pair in texts(import_module(f"linkwright.words.{name}.{module}")))
+def _catalogue(name: str) -> dict[str, str]:
+    begun = _begun(name)
+    begun.update(pair for module in modules(name) for pair in texts(module))
+    return begun
 
 
 def _find(key: str, name: str) -> str | None:
     """The text of ``key`` in a language, if there is one."""
-    usual = _usual(name)
-    return usual[key] if key in usual else catalogue(name).get(key)
+    begun = _begun(name)
+    return begun[key] if key in begun else catalogue(name).get(key)
 
 
 def known(key: str) -> bool:
