@@ -3,6 +3,7 @@ that has started."""
 
 from __future__ import annotations
 
+import importlib.util
 import json
 import os
 import re
@@ -22,6 +23,7 @@ from linkwright.app.results_folder import LOCK
 from linkwright.words import say
 
 FILES = ["cycle.csv", "linkwright-manifest.json", "report.html", "summary.json"]
+EXAMPLES = Path(__file__).parents[2] / "examples"
 PROGRAM = [sys.executable, "-m", "linkwright"]
 
 
@@ -53,6 +55,47 @@ print([name for name in slow if name in sys.modules], file=sys.stderr)
 """
     result = subprocess.run([sys.executable, "-c", code], capture_output=True, encoding="utf-8", timeout=60, check=True)
     assert result.stderr.splitlines()[-1] == "[]"
+
+
+NOT_NEEDED = {
+    "elements": "belt counterweight coupling differential friction gears geneva load path rack rolling spring weld",
+    "elements.cam_contact": "contact entry entry_reader faults follower proof second",
+    "reductions": "dwell efficiency mean straightness",
+    "blocks": "cluster histogram kurtosis loop moments moments_code reductions runners sinks",
+    "kernels": "llvm_kernel llvm_code llvm_source machine_code threaded still",
+    "graph": "circuits constraints legs modes mode_survey redundant search standing statics still triads",
+    "studies": "accuracy cam limits.study limits.extremes modes reactions sweep workspace",
+    "app": "assembly_modes bench exports single_study",
+    "expressions": "respelled respelled_units synonyms chinese_units",
+    "model": "respelled_lines subassembly",
+    "words.en": "schema findings.cams findings.elements cams accuracy sweep workspace",
+    "words.zh": "schema findings.cams findings.elements cams accuracy sweep workspace",
+    "": "cam",
+}
+"""What a run of a mechanism of pins and slides without loads and springs has no use for, by package."""
+
+
+def test_a_run_imports_what_its_file_needs(tmp_path: Path) -> None:
+    """Importing all that there is would double the time of a run."""
+    code = """\
+import sys
+sys.argv = ["linkwright", "run", sys.argv[1], "--out", sys.argv[2]]
+from linkwright.cli import main
+try:
+    main()
+except SystemExit:
+    pass
+print(*sys.modules, file=sys.stderr)
+"""
+    command = [sys.executable, "-c", code, str(EXAMPLES / "paper_feeder.yaml"), str(tmp_path / "out")]
+    result = subprocess.run(command, capture_output=True, encoding="utf-8", timeout=120, check=True)
+    imported = {*result.stderr.split()}
+    assert {"linkwright.elements.slide", "linkwright.studies.cycle.study"} <= imported
+    listed = [
+        f"linkwright.{of}.{name}".replace("..", ".") for of, names in NOT_NEEDED.items() for name in names.split()
+    ]
+    assert [name for name in listed if importlib.util.find_spec(name) is None] == []
+    assert {*listed, "scipy", "pint", "xarray", "llvmlite", "concurrent.futures"} & imported == set()
 
 
 # Nothing that a name holds reaches the terminal as anything but letters.
