@@ -15,7 +15,7 @@ from helpers.longer import mostly_long
 from helpers.models import EXAMPLES, GALLERY, identity
 from helpers.pages import page_run
 from linkwright.app.job import Examined, examine_document
-from linkwright.compilation import compile_mechanism
+from linkwright.compilation import compile_mechanism, compile_named
 from linkwright.expressions import units as u
 from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
@@ -93,6 +93,17 @@ def test_the_measures_stay(name: str) -> None:
     assert one.keys() == other.keys() == document.measures.keys()
     for measure in one:
         np.testing.assert_allclose(other[measure], one[measure], rtol=1e-11, atol=1e-12)
+
+
+@pytest.mark.parametrize("path", EXAMPLES[::4], ids=identity)
+def test_what_was_found_for_the_names_compiles_the_same(path: Path) -> None:
+    named = named_numbers(load(path))
+    if not named.mechanism.drives:
+        return
+    once, anew = compile_named(named, path.parent), compile_mechanism(named.mechanism, path.parent)
+    one, other = (page_programs(compiled, [*signals(compiled)]) for compiled in (once, anew))
+    assert one.code() == other.code()
+    assert one.data() == other.data()
 
 
 def test_few_instructions_are_added() -> None:

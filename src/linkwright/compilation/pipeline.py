@@ -13,6 +13,7 @@ A stage gives its value and its findings; the next one goes on with what is soun
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from linkwright.compilation.stages import Laws, Uses, assemble, check, desugar, laws, quantities, structure, warnings
@@ -25,6 +26,7 @@ from linkwright.model.desugar import Spelled, with_file_paths
 from linkwright.model.document import located
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.model_file import read_model_file
+from linkwright.model.named_numbers import NamedNumbers
 from linkwright.model.quantities import Quantities
 from linkwright.records import dataclass
 from linkwright.structure import Structure
@@ -67,6 +69,18 @@ def prepare(mechanism: Mechanism, folder: Path | None = None, uses: Uses = (), d
     spelled = desugar(mechanism)
     unnamed = check(spelled, driven)
     numbers, unclear = quantities(spelled, uses, unnamed)
+    return _with_numbers(spelled, numbers, folder, unnamed, unclear, driven)
+
+
+def _with_numbers(
+    spelled: Spelled,
+    numbers: Quantities,
+    folder: Path | None,
+    unnamed: Sequence[Finding],
+    unclear: Sequence[Finding] = (),
+    driven: bool = True,
+) -> Prepared:
+    """The stages that follow the dimensions, after the findings of those before."""
     stated, wrong = laws(numbers, folder, named=not unnamed)
     findings = [*unnamed, *unclear, *wrong]
     found, unsolved = structure(numbers, stated, named=not unnamed, redundancy=driven and not findings)
@@ -79,7 +93,11 @@ def examine(mechanism: Mechanism, folder: Path | None = None, uses: Uses = ()) -
 
     The result is ``None`` where an error stops it; warnings alone don't.
     """
-    made = prepare(mechanism, folder, uses)
+    return _assembled(prepare(mechanism, folder, uses), folder)
+
+
+def _assembled(made: Prepared, folder: Path | None) -> tuple[Compiled | None, list[Finding]]:
+    """The stages that follow the structure."""
     if made.findings:
         return None, made.findings
     assembly = assemble(made.quantities, made.structure, made.stated)
@@ -102,14 +120,23 @@ def compile_model(model: str | Path | Mechanism, folder: str | Path | None = Non
     raise_errors(read.findings)
     assert read.document is not None
     compiled, findings = examine(read.document, Path(folder or Path(model).parent))
-    raise_errors(located(with_file_paths(read.document, findings), read.source))
-    assert compiled is not None
-    return compiled
+    return _sound((compiled, located(with_file_paths(read.document, findings), read.source)))
 
 
 def compile_mechanism(mechanism: Mechanism, folder: str | Path | None = None) -> Compiled:
     """A mechanism ready to run. Raises :class:`ModelError` with every finding when it can't be."""
-    compiled, findings = examine(mechanism, Path(folder) if folder else None)
+    return _sound(examine(mechanism, Path(folder) if folder else None))
+
+
+def compile_named(named: NamedNumbers, folder: Path | None = None) -> Compiled:
+    """The mechanism of named numbers ready to run, with the dimensions that they were named by. Raises
+    :class:`ModelError` with every finding when it can't be."""
+    made = _with_numbers(named.spelled, named.quantities, folder, check(named.spelled))
+    return _sound(_assembled(made, folder))
+
+
+def _sound(examined: tuple[Compiled | None, list[Finding]]) -> Compiled:
+    compiled, findings = examined
     raise_errors(findings)
     assert compiled is not None
     return compiled

@@ -6,6 +6,7 @@ one function to the next lies in numbered rows (of values of poses) and scalars 
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import field
 
@@ -84,18 +85,20 @@ class Division:
                 self.chunks[place].append([])
             at = self._chunk_of.get(i, (place, 0))
             self._writes.setdefault(at if at[0] == place else (place, 0), []).append((k, i))
-        self._users: dict[int, set[At]] = {}
+        self._users = defaultdict[int, set[At]](set)
         for i, at in self._chunk_of.items():
-            for arg in operands(listing.values[i]):
-                self._users.setdefault(arg, set()).add(at)
+            for arg in listing.values[i].args:
+                self._users[arg].add(at)
         for at, outputs in self._writes.items():
             for _, i in outputs:
-                self._users.setdefault(i, set()).add(at)
-        self._last = {i: max(users, key=lambda at: (ORDER.index(at[0]), at[1])) for i, users in self._users.items()}
+                self._users[i].add(at)
+        in_order = [(place, n) for place in ORDER for n in range(len(self.chunks[place]))]
+        nth = {at: n for n, at in enumerate(in_order)}
+        self._last = {i: in_order[max(map(nth.__getitem__, users))] for i, users in self._users.items()}
 
     def passed_on(self, i: int, at: At) -> bool:
         """Whether another function than ``at`` uses a value."""
-        return bool(self._users.get(i, set()) - {at})
+        return i in self._users and self._users[i] != {at}
 
     def outputs(self, at: At) -> dict[int, list[int]]:
         """The values that a function writes as outputs, and the numbers of these."""
@@ -110,15 +113,10 @@ class Division:
 
     def computed(self, code: Code, value: Value, known: Callable[[int], str]) -> str:
         """Write a value's operation; ``known`` gives its operands."""
-        name, taken = operation(value.op).name, [known(i) for i in operands(value)]
+        name, taken = operation(value.op).name, [known(i) for i in value.args]
         if name == "power" and (power := _whole_power(self.listing.values[value.args[1]])):
             return whole_power(code, taken[0], power)
         return written(code, name, taken)
-
-
-def operands(value: Value) -> tuple[int, ...]:
-    """The values that an operation takes; constants and inputs take none."""
-    return value.args[: operation(value.op).operands] if value.args else ()
 
 
 def _whole_power(value: Value) -> int:

@@ -48,7 +48,7 @@ class Listing:
                 needs = P if which else X | P if row in solved else X
                 value = Value(i.op, source=(which, row))
             else:
-                args = tuple(holds[slot] for slot in i.args)
+                args = tuple([holds[slot] for slot in i.args])
                 value, needs = Value(i.op, args), 0
                 for arg in args:
                     needs |= self.needs[arg]
@@ -66,15 +66,16 @@ class Listing:
             if value.op == ca.OP_DIV and not self.values[value.args[1]].constant:
                 divided.setdefault(value.args[1], []).append(i)
         shared = {by for by, of in divided.items() if len(of) > 1 or self.needs[by] != self.needs[of[0]]}
+        if not shared:
+            return
         values, needs, place, reciprocal = list[Value](), list[int](), list[int](), dict[int, int]()
         for i, value in enumerate(self.values):
-            args = tuple(place[arg] for arg in value.args)
             if value.op == ca.OP_DIV and value.args[1] in shared:
-                args, op = (args[0], reciprocal[value.args[1]]), ca.OP_MUL
-            else:
-                op = value.op
+                value = Value(ca.OP_MUL, (place[value.args[0]], reciprocal[value.args[1]]))
+            elif value.args:
+                value = Value(value.op, tuple([place[arg] for arg in value.args]))
             place.append(len(values))
-            values.append(Value(op, args, value.number, value.source))
+            values.append(value)
             needs.append(self.needs[i])
             if i in shared:
                 reciprocal[i] = len(values)

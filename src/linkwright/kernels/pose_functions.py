@@ -9,6 +9,7 @@ functions are called. No name of an input, parameter or output comes into it.
 from __future__ import annotations
 
 from dataclasses import field
+from functools import cache
 
 from linkwright.graph.program import NewtonStage, Program
 from linkwright.kernels.division import FORMS, OWN, SCALAR, Division, Rows
@@ -123,5 +124,12 @@ class PoseFunctions:
         """Add the elementary functions that a function calls to the library."""
         for name, operands in code.calls.items():
             if name not in self.library:
-                self.library[name] = function = RecordedCode()
-                function.result = written_out(function, name, [function.argument(k) for k in range(operands)])
+                self.library[name] = _elementary(name, operands)
+
+
+@cache
+def _elementary(name: str, operands: int) -> RecordedCode:
+    """An elementary function, which is the same wherever it is called."""
+    function = RecordedCode()
+    function.result = written_out(function, name, [function.argument(k) for k in range(operands)])
+    return function

@@ -6,7 +6,6 @@ A value that is used once is printed where it is used, so that the text is short
 from __future__ import annotations
 
 import math
-from collections import Counter
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
@@ -82,9 +81,9 @@ class RecordedCode:
         self._stores.append((len(self.nodes), Stored(value, array, row)))
 
     def _node(self, node: Node, key: object = None) -> str:
-        key = node if key is None else key
-        if (known := self._known.get(key)) is None:
-            known = self._known[key] = str(len(self.nodes))
+        new = str(len(self.nodes))
+        known = self._known.setdefault(node if key is None else key, new)
+        if known is new:
             self.nodes.append(node)
         return known
 
@@ -95,28 +94,35 @@ class RecordedCode:
     def statements(self) -> Iterator[Named | Stored]:
         """What is to be printed, in order: values with names, and what is stored. All others are printed where they
         are used, or aren't used."""
-        uses = Counter(store.value for _, store in self._stores)
-        if self.result is not None:
-            uses[self.result] += 1
-        values = [str(i) for i in range(len(self.nodes))]
-        for value, node in zip(reversed(values), reversed(self.nodes), strict=True):
-            if value in uses:
-                for operand in node.operands:
-                    uses[operand] += 1
-        stores, depth = iter([*self._stores, (len(self.nodes) + 1, None)]), [0] * len(self.nodes)
+        uses = self._uses()
+        stores, depth = iter([*self._stores, (len(self.nodes) + 1, None)]), [1] * len(self.nodes)
         before, store = next(stores)
-        for i, (value, node) in enumerate(zip(values, self.nodes, strict=True)):
+        for i, node in enumerate(self.nodes):
+            if not uses[i] or node.word in (NUMBER, ARGUMENT):
+                continue
             while before <= i and store is not None:
                 yield store
                 before, store = next(stores)
-            depth[i] = 1 + max((depth[int(operand)] for operand in node.operands), default=0)
-            again = uses[value] > 1 or depth[i] > DEEPEST or value in self._held
-            if uses[value] and again and node.word not in (NUMBER, ARGUMENT):
+            depth[i] = 1 + max([depth[int(operand)] for operand in node.operands], default=0)
+            if uses[i] > 1 or depth[i] > DEEPEST or str(i) in self._held:
                 depth[i] = 0
-                yield Named(value)
+                yield Named(str(i))
         while store is not None:
             yield store
             before, store = next(stores)
+
+    def _uses(self) -> list[int]:
+        """How often each value is used, by those that are used themselves, are stored, or are the result."""
+        uses = [0] * len(self.nodes)
+        for _, store in self._stores:
+            uses[int(store.value)] += 1
+        if self.result is not None:
+            uses[int(self.result)] += 1
+        for i in reversed(range(len(self.nodes))):
+            if uses[i]:
+                for operand in self.nodes[i].operands:
+                    uses[int(operand)] += 1
+        return uses
 
 
 def decimal(number: float) -> str:

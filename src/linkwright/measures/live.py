@@ -251,7 +251,6 @@ class _Reader:
         looked_at = [*trees.values(), *(measure.window.nodes if measure.window is not None else ())]
         if (reason := self.reason(looked_at)) is not None:
             return LiveMeasure(measure, unit, size, reason, requirement=requirement)
-        dimension = quantities.dimensions.dimension(measure.entry.signal.node)
         stated, kind = measure.entry.wrap, measure.dimension
         wrap = None if stated is None else (self.number(stated[0], kind), self.number(stated[1], kind))
         return LiveMeasure(
@@ -259,10 +258,13 @@ class _Reader:
             unit,
             size,
             None,
-            {key: self.row(tree, self.dimension(key, inputs.rows[key])) for key, tree in trees.items()},
+            {key: self.row(tree, self.dimension(inputs.rows[key])) for key, tree in trees.items()},
             self.watched(looked_at),
             self.window(),
-            {key: self.number(expression, dimension) for key, expression in inputs.numbers.items()},
+            {
+                key: self.number(expression, self.dimension(measure.entry.signal))
+                for key, expression in inputs.numbers.items()
+            },
             inputs.words,
             wrap,
             requirement,
@@ -275,7 +277,7 @@ class _Reader:
             return self.measure.trees[key]
         return self.compiled.quantities.dimensions.bind(expression.node, None)
 
-    def dimension(self, key: str, expression: Expression) -> Dimension:
+    def dimension(self, expression: Expression) -> Dimension:
         return self.compiled.quantities.dimensions.dimension(expression.node)
 
     def reason(self, trees: Sequence[Node]) -> str | None:

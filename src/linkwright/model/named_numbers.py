@@ -18,7 +18,7 @@ from linkwright.expressions.typed_fields import Context, Path, Sign
 from linkwright.expressions.units import Dimension
 from linkwright.expressions.written import FrozenDict
 from linkwright.findings import Finding, raise_errors
-from linkwright.model.desugar import spell_out
+from linkwright.model.desugar import Spelled, spell_out
 from linkwright.model.document import Document, plain
 from linkwright.model.mechanism import FRAME, Mechanism, scopes
 from linkwright.model.number_places import NumberPlace, data_at, literal, number_places, of_copies
@@ -55,12 +55,17 @@ class WrittenNumber:
 @dataclass(frozen=True)
 class NamedNumbers:
     """A mechanism as it is ``written``, and the same with its numbers as parameters; these by their names, in the order
-    of the file. ``quantities`` are those of the named one, its short forms expanded."""
+    of the file. ``spelled`` is the named one with its short forms expanded, ``quantities`` are those of that."""
 
     written: Mechanism
-    mechanism: Mechanism
+    spelled: Spelled
     numbers: Mapping[str, WrittenNumber]
     quantities: Quantities
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The named one, its short forms as they are written."""
+        return self.spelled.written
 
     def with_file_paths(self, findings: Iterable[Finding]) -> list[Finding]:
         """Findings on the named mechanism, with the places of its numbers in the file."""
@@ -87,18 +92,18 @@ def named_numbers(m: Mechanism, uses: Uses | None = None, without: Container[str
     data = _data(m)
     gauges = _gauges(m)
     places = [p for p in number_places(m, data) if p.section not in without and _may_vary(p, gauges)]
-    named, names = _with_names(m, data, places), _names(places)
-    quantities = _quantities(named, uses)
+    spelled, names = _spelled(_with_names(m, data, places)), _names(places)
+    quantities = _quantities(spelled, uses)
     used = {part.text for place in quantities.places for part in nodes(place.expression.node) if isinstance(part, Name)}
     if not used.issuperset(names):
         places = [place for name, place in names.items() if name in used]
-        named, names = _with_names(m, data, places), _names(places)
-        quantities = _quantities(named, uses)
+        spelled, names = _spelled(_with_names(m, data, places)), _names(places)
+        quantities = _quantities(spelled, uses)
     numbers = {
         name: WrittenNumber(place.path, quantities.dimensions.of(name), quantities.parameters[name], place.sign)
         for name, place in names.items()
     }
-    return NamedNumbers(m, named, FrozenDict(numbers), quantities)
+    return NamedNumbers(m, spelled, FrozenDict(numbers), quantities)
 
 
 def _data(m: Mechanism) -> dict[str, Any]:
@@ -177,9 +182,13 @@ def _is_zero(expression: Expression) -> bool:
     return number is not None and number.value == 0
 
 
-def _quantities(m: Mechanism, uses: Uses | None) -> Quantities:
+def _spelled(m: Mechanism) -> Spelled:
     spelled = spell_out(m)
     raise_errors(spelled.findings)
+    return spelled
+
+
+def _quantities(spelled: Spelled, uses: Uses | None) -> Quantities:
     quantities = Quantities(spelled.mechanism, () if uses is None else uses(spelled.mechanism), spelled.fields)
     raise_errors(quantities.findings)
     return quantities

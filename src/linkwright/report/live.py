@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.compilation import compile_mechanism
+from linkwright.compilation import compile_named
 from linkwright.escape import printed
 from linkwright.expressions.units import ANGLE, LENGTH, TIME
 from linkwright.findings import ModelError
@@ -67,7 +67,7 @@ def live_data(
         return None
     recorded, named = result.run.compiled, named_numbers(document)
     try:
-        compiled = compile_mechanism(named.mechanism, recorded.folder)
+        compiled = compile_named(named, recorded.folder)
     except ModelError:  # a number that has to stand there as such
         return None
     names = dict.fromkeys(f"{trace['name']}.{axis}" for trace in scene["traces"] for axis in "xy")
