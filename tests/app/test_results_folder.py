@@ -552,6 +552,19 @@ def test_a_document_has_an_origin_too(tmp_path: Path) -> None:
     assert "made in Python" in (tmp_path / "out" / "report.html").read_text("utf-8")
 
 
+def test_the_manifest_of_a_document_is_read_back(tmp_path: Path) -> None:
+    """It names no file; what is read is what was written."""
+    with ResultsFolder(tmp_path / "out", Origin(None, "0" * 64)) as folder:
+        folder.begin(["a.csv"])
+        folder.write("a.csv", "a")
+        folder.done()
+    found = read_manifest(folder.path)
+    assert found is not None and found.model.file is None and "file" not in manifest(folder.path)["model"]
+    before = (folder.path / NAME).read_bytes()
+    found.write(folder.path)
+    assert (folder.path / NAME).read_bytes() == before
+
+
 def test_csv_files_name_their_origin_where_asked(model: Path, out: Path) -> None:
     plain = (out / "cycle.csv").read_text("utf-8")
     assert plain.startswith("t [s],")

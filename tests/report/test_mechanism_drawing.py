@@ -11,10 +11,11 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+import shapely
 
 from linkwright.report import ReportData, Scene, page
 from linkwright.report.mechanism_drawing import drawing
-from linkwright.report.mechanism_drawing.shapes import MOST_POINTS, hull, line, outline, spring
+from linkwright.report.mechanism_drawing.shapes import MOST_POINTS, hull, line, needed, outline, spring
 from linkwright.words import say
 
 STYLES = Path(__file__).parents[2] / "web" / "src" / "drawing" / "drawing.css"
@@ -80,6 +81,24 @@ def test_it_is_light(scene: Scene) -> None:
     assert len(lines) == 2
     assert all(1 < len(POINT.findall(d)) <= MOST_POINTS for d in lines)
     assert not re.search(r"\d\.\d\d", drawing(scene))
+
+
+@pytest.mark.parametrize("unseen", [0.15, 0.5, 4.0])
+@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize("count", [2, 3, 5, 40, 300])
+def test_thinned_lines_stay_close(count: int, closed: bool, unseen: float) -> None:
+    """No place lies farther from the line through those that are needed, which are as few as GEOS finds; of a circle,
+    on which many are equally far from a chord, about as few."""
+    wild = np.cumsum(np.random.default_rng(count).normal(size=(count, 2)), axis=0)
+    angles = np.linspace(0, 7, count)
+    for places in (wild, 50 * np.column_stack([np.cos(angles), np.sin(angles)])):
+        ring = np.concatenate([places, places[:1]]) if closed else places
+        seen, whole = ring[needed(ring, unseen)], shapely.LineString(ring)
+        assert shapely.distance(shapely.LineString(seen), shapely.points(ring)).max() <= unseen * (1 + 1e-12)
+        few = shapely.get_coordinates(whole.simplify(unseen, preserve_topology=False))
+        if places is wild:
+            np.testing.assert_array_equal(seen, few)
+        assert len(seen) <= 1.1 * len(few) + 1
 
 
 def test_names_are_text(scene: Scene) -> None:

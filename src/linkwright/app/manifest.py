@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
+from dataclasses import asdict, field
+from functools import cache
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError
+from pydantic import AfterValidator, ConfigDict, TypeAdapter, ValidationError
 
 from linkwright import _version
 from linkwright.findings import ModelError
 from linkwright.model.input_files import MAX_BYTES, read_at_most
 from linkwright.model.origin import Origin, hashed
 from linkwright.model.output_files import refuse_link, write_aside
+from linkwright.records import dataclass
 from linkwright.words import say
 
 NAME = "linkwright-manifest.json"
@@ -35,14 +39,15 @@ def _resumable(name: str) -> str:
     return name
 
 
-class _Strict(BaseModel):
-    model_config = ConfigDict(extra="forbid")
+_STRICT = ConfigDict(extra="forbid")
 
 
-class Entry(_Strict):
+@dataclass
+class Entry:
     """A file with its size (bytes) and SHA-256; or a folder, such as a Zarr store, with its count of ``files`` and
     the size of all of them."""
 
+    __pydantic_config__ = _STRICT
     name: Annotated[str, AfterValidator(_plain)]
     size: int
     sha256: str | None = None
@@ -81,29 +86,33 @@ def _extent(path: Path) -> tuple[int, int]:
 State = Literal["running", "done", "interrupted", "failed", "outdated"]
 
 
-class CommandFiles(_Strict):
+@dataclass
+class CommandFiles:
     """What one kind of command wrote: the studies, or an export.
 
     ``outdated`` are the files of the last run that was done, in the folder of that name; ``resumable`` the files from
     which interrupted studies go on, each with its study; ``process`` and ``host`` those of a run under way.
     """
 
+    __pydantic_config__ = _STRICT
     state: State
-    linkwright: str = _version.__version__
+    linkwright: str = field(default=_version.__version__, kw_only=True)
     date: str
     process: int | None = None
     host: str | None = None
-    files: list[Entry] = Field(default_factory=list)
-    outdated: list[Entry] = Field(default_factory=list)
-    resumable: dict[Annotated[str, AfterValidator(_resumable)], str] = Field(default_factory=dict)
+    files: list[Entry] = field(default_factory=list)
+    outdated: list[Entry] = field(default_factory=list)
+    resumable: dict[Annotated[str, AfterValidator(_resumable)], str] = field(default_factory=dict)
 
 
-class Model(_Strict):
+@dataclass
+class Model:
     """The model that all files come from: its file, its content and that of its tables as SHA-256."""
 
-    file: str | None = None
+    __pydantic_config__ = _STRICT
+    file: str | None = field(default=None, kw_only=True)
     sha256: str
-    tables: dict[str, str] = Field(default_factory=dict)
+    tables: dict[str, str] = field(default_factory=dict)
 
     @classmethod
     def of(cls, origin: Origin) -> Model:
@@ -111,13 +120,15 @@ class Model(_Strict):
         return cls(file=origin.file, sha256=origin.sha256, tables=dict(origin.tables))
 
 
-class Manifest(_Strict):
+@dataclass
+class Manifest:
     """All of it; ``manifest`` is the version of this format."""
 
-    manifest: Literal[1] = 1
-    about: str = ""
+    __pydantic_config__ = _STRICT
+    manifest: Literal[1] = field(default=1, kw_only=True)
+    about: str = field(default="", kw_only=True)
     model: Model
-    written: dict[str, CommandFiles] = Field(default_factory=dict)
+    written: dict[str, CommandFiles] = field(default_factory=dict)
 
     @property
     def empty(self) -> bool:
@@ -127,13 +138,25 @@ class Manifest(_Strict):
     def write(self, folder: Path) -> None:
         """Write it, whole or not at all. Raises OSError."""
         self.about = say("manifest.about")
-        write_aside(folder / NAME, self.model_dump_json(indent=2, exclude_none=True) + "\n")
+        written = asdict(self, dict_factory=_known)
+        write_aside(folder / NAME, json.dumps(written, indent=2, ensure_ascii=False) + "\n")
+
+
+def _known(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    return {name: value for name, value in pairs if value is not None}
+
+
+@cache
+def _reader() -> TypeAdapter[Manifest]:
+    """What checks a manifest that is read: slow to make, and most folders have none yet."""
+    return TypeAdapter(Manifest)
 
 
 def read_manifest(folder: Path) -> Manifest | None:
     """The manifest of a folder; ``None`` where there is none that can be read."""
     try:
         refuse_link(folder / NAME)
-        return Manifest.model_validate_json(read_at_most(folder / NAME, MAX_BYTES))
+        text = read_at_most(folder / NAME, MAX_BYTES)
+        return _reader().validate_json(text)
     except (ModelError, OSError, ValidationError):
         return None

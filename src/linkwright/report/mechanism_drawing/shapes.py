@@ -11,6 +11,8 @@ Array = NDArray[np.float64]
 
 MOST_POINTS, MOST_CORNERS = 48, 200
 """A line has no more points, and a closed one, such as a wheel with slots, no more corners."""
+FEW = 4
+"""A line of so few places, such as a box, is drawn as it is."""
 UNSEEN = 0.15
 """A line may differ by so much, in pixels, from the one that it stands for ..."""
 COARSER = (1, 2, 4, 8)
@@ -40,16 +42,37 @@ def line(places: Array, *, closed: bool = False, unseen: float = UNSEEN) -> str:
 
 
 def _thinned(places: Array, closed: bool, unseen: float) -> Array:
-    import shapely
-
+    if len(places) <= FEW:
+        return places
     ring, most = (np.concatenate([places, places[:1]]), MOST_CORNERS) if closed else (places, MOST_POINTS)
     for times in COARSER:
-        seen = np.array(shapely.LineString(ring).simplify(times * unseen, preserve_topology=False).coords)
+        seen = ring[needed(ring, times * unseen)]
         if len(seen) <= most:
             break
     else:
         seen = ring[np.linspace(0, len(ring) - 1, most).round().astype(int)]
     return seen[:-1] if closed and len(seen) > 2 else seen
+
+
+def needed(places: Array, unseen: float) -> NDArray[np.bool_]:
+    """Which of the places (n, 2) of a line are needed for no other to lie farther than ``unseen`` from the chord that
+    takes its place: the ends, and again and again the farthest place from each chord (Douglas and Peucker 1973,
+    doi:10.3138/FM57-6770-U75U-7727), here of all chords at once."""
+    kept = np.zeros(len(places), bool)
+    kept[[0, -1]] = True
+    while True:
+        ends = np.flatnonzero(kept)
+        chord = np.minimum(np.cumsum(kept), len(ends) - 1) - 1
+        start = places[ends[chord]]
+        along, to = places[ends[chord + 1]] - start, places - start
+        square = (along**2).sum(axis=1)
+        share = np.clip((along * to).sum(axis=1) / np.where(square > 0, square, 1.0), 0.0, 1.0)
+        away = np.hypot(*(to - share[:, None] * along).T)
+        farthest = np.maximum.reduceat(away, ends[:-1])[chord]
+        more = np.flatnonzero((away > unseen) & (away == farthest))
+        if not more.size:
+            return kept
+        kept[more[np.diff(chord[more], prepend=-1) > 0]] = True  # of equal ones the first
 
 
 def hull(points: Array) -> Array:
