@@ -53,7 +53,8 @@ def _extremes(measurer: Measurer, result: MeasureResult, t: Array, row: Array) -
     over = kind_of(result.measure).beyond(reported, float(some.min()), float(some.max()))
     if over is None or over <= 0:
         return 0.0
-    over -= ROUND_OFF * max(float(np.abs(some).max()), measurer.run.usual(result.dimension))
+    (usual,) = measurer.run.usual([result.dimension])
+    over -= ROUND_OFF * max(float(np.abs(some).max()), usual)
     return max(over, 0.0) / (float(np.ptp(some)) or 1.0)
 
 

@@ -52,7 +52,7 @@ def _claim(measurer: Measurer, result: MeasureResult) -> Claim | None:
         return None
     top = probe.top().value if 1.0 in proven else np.inf
     bottom = probe.bottom().value if -1.0 in proven else -np.inf
-    slack = ROUND_OFF * run.usual(result.dimension)
+    slack = ROUND_OFF * run.usual([result.dimension])[0]
     return Claim(probe.node, tuple((float(a), float(b)) for a, b in probe.intervals), bottom, top, slack)
 
 

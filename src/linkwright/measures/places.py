@@ -213,7 +213,7 @@ def vague(run: Run, trees: Sequence[Node], t: Array) -> list[bool]:
     if not names:
         return [False] * len(trees)
     values, slopes = run.rates(names, t)
-    sizes = np.array([[run.usual(run.dimension(name))] for name in names])
+    sizes = np.array(run.usual(run.dimension(name) for name in names))[:, None]
     found = []
     with np.errstate(all="ignore"):
         shift = LITTLE * np.sin(1.0 + np.arange(len(names)))[:, None] * np.maximum(np.abs(values), sizes)

@@ -267,6 +267,10 @@ def nearest(run: Run) -> Nearest | None:
     Of a group whose pose is vague where a distance vanishes, that over its largest counts too. The bands about change
     points through which a group is carried are left out: its determinant is zero there.
     """
+    return run.cached(nearest, lambda: _nearest(run))
+
+
+def _nearest(run: Run) -> Nearest | None:
     structure = run.compiled.structure
     spanning = spans(structure)
     rows = [*determinants(structure), *spanning]

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +18,7 @@ from linkwright.notation.angles import MAX_TURN, whole_turns
 from linkwright.results import discontinuities
 
 Array = NDArray[np.float64]
+Made = TypeVar("Made")
 
 MAX_GRID = 1 << 18
 NARROWEST = 1e-13
@@ -43,7 +44,15 @@ class Run:
         self._repeating: set[str] = set()
         self._angles: dict[str, tuple[Array, Array]] = {}
         self._firsts: dict[str, tuple[Array, Array]] = {}
-        self._usual: dict[Dimension, float] | None = None
+        self._usual: dict[Dimension, float] = {}
+        self._kept: dict[object, Any] = {}
+
+    def cached(self, key: object, make: Callable[[], Made]) -> Made:
+        """What others derive of it, made once for a key."""
+        if key not in self._kept:
+            self._kept[key] = make()
+        made: Made = self._kept[key]
+        return made
 
     @cached_property
     def grid(self) -> int:
@@ -149,19 +158,19 @@ class Run:
         """The dimension of a signal."""
         return self.compiled.graph.signal(name).dimension
 
-    def usual(self, dimension: Dimension) -> float:
-        """The largest magnitude of the mechanism's signals of a dimension, at a few times of the run (SI); 0 without
-        one. What cancels in an expression is of this size."""
-        if self._usual is None:
-            signals = self.compiled.quantities.signals.all()
+    def usual(self, dimensions: Iterable[Dimension]) -> list[float]:
+        """Of each dimension the largest magnitude of the mechanism's signals of it, at a few times of the run (SI); 0
+        without one. What cancels in an expression is of this size."""
+        asked = [dimension.physical for dimension in dimensions]
+        if new := {*asked} - self._usual.keys():
+            self._usual.update(dict.fromkeys(new, 0.0))
+            signals = [s for s in self.compiled.quantities.signals.all() if s.dimension.physical in new]
             t = np.linspace(self.start, self.stop, 17)
-            values = np.abs(self.compiled.evaluate([signal.text for signal in signals], t))
-            self._usual = {}
+            values = np.abs(self.compiled.evaluate([s.text for s in signals], t)) if signals else ()
             for signal, row in zip(signals, values, strict=True):
-                largest = float(row[np.isfinite(row)].max(initial=0.0))
                 key = signal.dimension.physical
-                self._usual[key] = max(largest, self._usual.get(key, 0.0))
-        return self._usual.get(dimension.physical, 0.0)
+                self._usual[key] = max(float(row[np.isfinite(row)].max(initial=0.0)), self._usual[key])
+        return [self._usual[dimension] for dimension in asked]
 
     def _continuous(self, name: str, t: Array, wrapped: Array) -> Array:
         """Add whole turns so that the angle runs on without jumps from its value at the start of the run."""

@@ -78,7 +78,7 @@ def _extents(run: Run, plain: Sequence[str], forces: Sequence[str], progress: Pr
     texts = [*plain, *(f"{force}.x^2 + {force}.y^2" for force in forces)]
     trees = [quantities.bind(Expression(text), None) for text in texts]
     dimensions = [quantities.dimensions.dimension(parse(text)) for text in (*plain, *(f"{f}.x" for f in forces))]
-    sizes = list(map(run.usual, dimensions))
+    sizes = run.usual(dimensions)
     search, window = Search(run, trees), intervals(run, None)
     probes = [Probe(search, tree, window) for tree in trees]
     progress(1, PARTS)
