@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import subprocess
 import sys
 from pathlib import Path
 
@@ -36,3 +37,37 @@ def test_modules_that_swallow_interrupts_are_deaf(tmp_path: Path) -> None:
                 if any(map(swallows, handlers)):
                     found.add(file.as_posix().partition("/site-packages/")[2])
     assert found == {*SWALLOWING, *ONLY_AT_IMPORT, *ONLY_OF_TAGS}
+
+
+WHILE_BUILT = """\
+import os, signal, time
+from pydantic import BaseModel, TypeAdapter
+from pydantic_core import core_schema
+from linkwright.interrupts import install
+
+class Striking:
+    def __repr__(self):
+        os.kill(os.getpid(), signal.SIGINT)
+        return "striking"
+
+class Chosen:
+    @classmethod
+    def __get_pydantic_core_schema__(cls, source, handler):
+        return core_schema.literal_schema([Striking()])
+
+install()
+try:
+    BUILD
+    time.sleep(5)
+except KeyboardInterrupt:
+    print("interrupted")
+"""
+
+
+@pytest.mark.parametrize(
+    "build", ["type('Model', (BaseModel,), {'__annotations__': {'a': Chosen}})", "TypeAdapter(Chosen)"]
+)
+def test_an_interrupt_while_pydantic_builds_a_validator_is_one(build: str) -> None:
+    command = [sys.executable, "-c", WHILE_BUILT.replace("BUILD", build)]
+    result = subprocess.run(command, capture_output=True, encoding="utf-8", timeout=60, check=False)
+    assert (result.stdout, result.stderr) == ("interrupted\n", "")

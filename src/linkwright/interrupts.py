@@ -2,7 +2,8 @@
 
 An import may turn it into an ImportError, and a module that tries what it can import passes over that. CasADi's
 compiled code asks Python for attributes and passes over whatever is raised there, and some modules of ruamel.yaml pass
-over it by a bare ``except:``. Of a finalizer, Python prints what it raises and goes on.
+over it by a bare ``except:``. That of pydantic turns one that comes while it builds a validator into an error of
+the schema. Of a finalizer, Python prints what it raises and goes on.
 """
 
 from __future__ import annotations
@@ -16,7 +17,8 @@ from types import FrameType
 from typing import Any
 
 SWALLOWING = ("casadi/casadi.py", "ruamel/yaml/comments.py", "ruamel/yaml/serializer.py", "ruamel/yaml/tokens.py")
-DEAF = ("<frozen importlib._bootstrap>", *(name.replace("/", os.sep) for name in SWALLOWING))
+TURNING = ("pydantic/_internal/_model_construction.py", "pydantic/type_adapter.py")
+DEAF = ("<frozen importlib._bootstrap>", *(name.replace("/", os.sep) for name in (*SWALLOWING, *TURNING)))
 """Ends of the names of files in whose calls no interrupt is raised."""
 AGAIN = 0.02
 """Seconds after which an interrupt that can't be raised comes again."""
