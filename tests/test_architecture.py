@@ -52,6 +52,13 @@ def module(path: str) -> ModuleType:
 # Files.
 
 
+def test_code_that_other_pages_name_is_there() -> None:
+    pages = {path: path.read_text("utf-8") for path in (ROOT / "docs").rglob("*.md")}
+    named = {(page.name, path) for page, text in pages.items() for path in re.findall(r"`(\w+(?:/\w+)+\.py)`", text)}
+    assert len(named) > 30
+    assert [one for one in sorted(named) if found(one[1], SOURCE, ROOT, ROOT / "tests") is None] == []
+
+
 def test_every_file_and_folder_is_there() -> None:
     text = re.sub(r"^\|.*$", "", PAGE, flags=re.M)
     paths = {path for path in quoted(re.sub(r"^```.*?^```$", "", text, flags=re.M | re.S)) if is_path(path)}
