@@ -23,7 +23,7 @@ from linkwright.model.named_numbers import named_numbers
 EXAMPLES = Path(__file__).parents[2] / "examples"
 FACTORS = (-1.5, -0.2, 0.0, 0.3, 0.999, 1.0, 1.001, 1.7, 6.0, 1e45)
 TIMES = np.array([0.0, 0.01])
-NAMES = sorted(path.stem for path in EXAMPLES.glob("*.yaml") if "studies:" in path.read_text(encoding="utf-8"))
+NAMES = sorted(path.stem for path in EXAMPLES.glob("*.yaml") if "\ndrives:" in path.read_text(encoding="utf-8"))
 USUAL = {"loader", "tailgate", "slider_crank_gas", "bonnet_hinge"}
 
 
@@ -99,6 +99,9 @@ def assert_verdicts(compiled: Compiled) -> int:
         value = failure["value"]
         said = condition.fault("" if condition.size is None else f"{value / condition.size:.6g}")
         (first, *_) = varied.faults(values[moving, None])
+        if said.code == "law.values":  # the page tells of a law as a whole, the batch of its segment
+            assert first.code.startswith("law.") and first.path[:2] == said.path[:2]
+            continue
         assert (said.code, said.path) == (first.code, first.path)
         assert said.what == first.what
     return refused

@@ -72,11 +72,15 @@ def test_random_numbers_of_the_file(name: str) -> None:
     found = found[:, :count]
     largest = np.abs(np.nan_to_num(true)).max(axis=(0, 2))
     kinds = np.array(["pose"] * 4 * len(live["poses"]) + list(live["units"])[: len(live["signals"])])
-    scales = np.array(
-        [max(most, 1e-6 * largest[kinds == kind].max(), 1e-12) for most, kind in zip(largest, kinds, strict=True)]
-    )
+    of_kind = np.array([largest[kinds == kind].max() for kind in kinds])
+    nothing = np.maximum(
+        1e-9 * of_kind, 1e-11
+    )  # what is zero but for round-off, such as the deviation of a straight line
+    nil = largest <= nothing
+    assert (np.abs(np.nan_to_num(found[:, nil])).max(axis=(0, 2)) <= nothing[nil]).all()
+    scales = np.maximum(largest, 1e-6 * of_kind)[~nil]
     assert (np.isnan(found) == np.isnan(true)).mean() > 0.999  # a pose on the edge of a window, by round-off
-    error = np.abs(found - true) / scales[:, None]
+    error = np.abs(found - true)[:, ~nil] / scales[:, None]
     # Beside a jump of a load, or near a singular pose, round-off decides.
     assert np.nanquantile(error, 0.999) < 1e-9
     assert np.nanquantile(error, 0.99) < 3e-10
