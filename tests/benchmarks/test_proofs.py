@@ -10,8 +10,8 @@ import pytest
 from helpers.longer import mostly_long
 
 EXAMPLES = sorted(proofs.EXAMPLES.glob("*.yaml"))
-FRICTION = ("scotch_yoke_friction", "slider_crank_friction", "wedge_lift")
-SPECIAL = ("class_four", "parallelogram", "rolling_wheel", FRICTION[0])
+FRICTION = ("lifting_crank", "scotch_yoke_friction", "slider_crank_friction", "wedge_lift")
+SPECIAL = ("class_four", "parallelogram", "rolling_wheel", FRICTION[1])
 
 
 def test_a_row_of_the_table(capsys: pytest.CaptureFixture[str]) -> None:
@@ -20,6 +20,10 @@ def test_a_row_of_the_table(capsys: pytest.CaptureFixture[str]) -> None:
     assert row.split()[:3] == ["four_bar_allocation", "1", "1"]
     assert len(row.split()) == 7
     assert "search ms" in head
+
+
+LOOSE = ("geneva_drive", "pick_and_place", "rolling_wheel")
+"""Of which some extremes are only searched for: what they divide by is enclosed too loosely somewhere."""
 
 
 def usual(path: Path) -> bool:
@@ -38,8 +42,8 @@ def test_an_example_is_proven(path: Path) -> None:
         assert left == dict.fromkeys(("tilt", "lag", "lift"), "change-point")
     elif path.stem == "class_four":
         assert left.keys() <= {"torque"}
-    elif path.stem == "rolling_wheel":
-        assert {*left.values()} <= {"undefined"}  # pivots of its forces, too loosely enclosed
+    elif path.stem in LOOSE:
+        assert {*left.values()} <= {"undefined"}
     elif path.stem in FRICTION:
         assert {*left.values()} == {"undefined"}
     else:
