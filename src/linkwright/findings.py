@@ -11,8 +11,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import field, replace
 from typing import Any
 
+from linkwright.data_classes import dataclass
 from linkwright.escape import line
-from linkwright.records import dataclass
 from linkwright.words import text
 
 

@@ -17,7 +17,9 @@ from types import FrameType
 from typing import Any
 
 SWALLOWING = ("casadi/casadi.py", "ruamel/yaml/comments.py", "ruamel/yaml/serializer.py", "ruamel/yaml/tokens.py")
+"""Ends of the names of files that pass over an interrupt."""
 TURNING = ("pydantic/_internal/_model_construction.py", "pydantic/type_adapter.py")
+"""Those that turn it into another error."""
 DEAF = ("<frozen importlib._bootstrap>", *(name.replace("/", os.sep) for name in (*SWALLOWING, *TURNING)))
 """Ends of the names of files in whose calls no interrupt is raised."""
 AGAIN = 0.02

@@ -113,7 +113,7 @@ def test_a_kind_is_registered_whole_after_an_interrupt(which: str) -> None:
     script = f"""
 import sys
 import linkwright.model.mechanism
-from linkwright.elements.table import TABLE
+from linkwright.elements.kind_modules import KIND_MODULES
 from linkwright.elements import FORCES, KINDS
 from linkwright.elements.entries import ENTRIES
 from linkwright.elements.follower import FOLLOWERS
@@ -122,7 +122,7 @@ from linkwright.notation.registry import Registry
 elements = "linkwright.elements."
 module = elements + "{which}"
 of = {{"joint": KINDS, "follower": FOLLOWERS, "force": FORCES}}
-name, listed = next((name, one) for name, one in TABLE.items() if module.startswith(elements + one.module))
+name, listed = next((name, one) for name, one in KIND_MODULES.items() if module.startswith(elements + one.module))
 whole, left = Registry.__setitem__, 0
 def broken(self, name, thing):
     global left

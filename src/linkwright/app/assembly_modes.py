@@ -7,9 +7,9 @@ from typing import Any
 
 from linkwright.app.job import Examined, read_file
 from linkwright.compilation import examine, prepare
+from linkwright.data_classes import dataclass
 from linkwright.findings import Finding, ModelError, raise_errors
 from linkwright.model.document import Document
-from linkwright.records import dataclass
 from linkwright.report.summary import worded
 from linkwright.structure import decompose
 from linkwright.studies import read_studies

@@ -18,6 +18,7 @@ from linkwright.app.exports import ExportJob, examined_for, export_of, settings_
 from linkwright.app.job import USUAL, Examined, Writing, read_file
 from linkwright.app.results_folder import outdate
 from linkwright.compilation import examine
+from linkwright.data_classes import dataclass
 from linkwright.exports import TARGETS, Exported
 from linkwright.expressions.units import UnitError, unit
 from linkwright.expressions.unknown import near
@@ -31,7 +32,6 @@ from linkwright.model.origin import Origin, hashed
 from linkwright.model.plane import in_plane
 from linkwright.model.sampled import names_in
 from linkwright.model.sketch import with_sketch
-from linkwright.records import dataclass
 from linkwright.report.batch import BatchRow, batch_page
 from linkwright.words import language, say
 

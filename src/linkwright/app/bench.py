@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from linkwright._machine import processors
 from linkwright.app.job import Examined
+from linkwright.data_classes import dataclass
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.language import ExpressionError
 from linkwright.expressions.unknown import near
@@ -20,7 +21,6 @@ from linkwright.findings import Finding, ModelError, Term, raise_errors
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.threaded import pool, spread, stretches
 from linkwright.model.signals import Signal
-from linkwright.records import dataclass
 from linkwright.studies.cycle.options import CycleOptions, span
 
 Array = NDArray[np.float64]

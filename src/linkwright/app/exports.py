@@ -9,13 +9,13 @@ from typing import Any
 from linkwright.app.job import USUAL, Examined, Writing, read_file, read_model
 from linkwright.app.results_folder import ResultsFolder, outdate
 from linkwright.app.single_study import examine_one
+from linkwright.data_classes import dataclass
 from linkwright.exports import TARGETS, Exported
 from linkwright.expressions.unknown import near
 from linkwright.findings import Finding, Joined, ModelError, raise_errors
 from linkwright.model.document import Document
 from linkwright.model.origin import Origin
 from linkwright.model.yaml_text import read_text
-from linkwright.records import dataclass
 from linkwright.studies import RunContext
 
 

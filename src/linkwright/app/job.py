@@ -12,6 +12,7 @@ from typing import Any
 from linkwright import compilation
 from linkwright.app.manifest import State
 from linkwright.app.results_folder import ResultsFolder, outdate
+from linkwright.data_classes import dataclass
 from linkwright.escape import json_text, line
 from linkwright.exports import Order, Target, read_exports
 from linkwright.findings import Finding, ModelError, raise_errors
@@ -25,7 +26,6 @@ from linkwright.model.references import option_faults
 from linkwright.model.walk import Options, option_places
 from linkwright.model.yaml_text import Source
 from linkwright.presentation.blocks import FileOf
-from linkwright.records import dataclass
 from linkwright.report.build import report_data
 from linkwright.report.page import page
 from linkwright.report.summary import drawn, found, summary

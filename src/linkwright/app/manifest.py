@@ -13,11 +13,11 @@ from typing import Annotated, Any, Literal
 from pydantic import AfterValidator, ConfigDict, TypeAdapter, ValidationError
 
 from linkwright import _version
+from linkwright.data_classes import dataclass
 from linkwright.findings import ModelError
 from linkwright.model.input_files import MAX_BYTES, read_at_most
 from linkwright.model.origin import Origin, hashed
 from linkwright.model.output_files import refuse_link, write_aside
-from linkwright.records import dataclass
 from linkwright.words import say
 
 NAME = "linkwright-manifest.json"

@@ -16,10 +16,10 @@ import numpy as np
 
 from linkwright import _version
 from linkwright.blocks.work import Arrays
+from linkwright.data_classes import dataclass
 from linkwright.findings import Finding, Joined, ModelError, reason
 from linkwright.model.input_files import read_at_most
 from linkwright.model.output_files import refuse_link, write_aside
-from linkwright.records import dataclass
 
 FORMAT = 2
 """The version of what stands in the file."""

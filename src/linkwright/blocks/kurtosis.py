@@ -12,7 +12,7 @@ import numpy as np
 from linkwright.blocks.moments import total, values_at_samples
 from linkwright.blocks.reductions import Array
 from linkwright.blocks.work import Arrays
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 
 
 @dataclass(frozen=True)

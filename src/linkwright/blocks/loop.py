@@ -12,8 +12,8 @@ from typing import Any, Protocol
 from linkwright import interrupts
 from linkwright.blocks.runners import Runner, Threads, opened
 from linkwright.blocks.work import Sink, Task, Work
+from linkwright.data_classes import dataclass
 from linkwright.findings import Finding, ModelError
-from linkwright.records import dataclass
 
 EVERY = 5.0
 """Seconds between two saves."""

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from linkwright.blocks import moments_code
 from linkwright.blocks.reductions import Array
 from linkwright.blocks.work import Arrays
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 
 STRIP = 1 << 15
 """Values of a strip: its temporaries stay in the cache."""

@@ -24,9 +24,9 @@ from linkwright._machine import needed
 from linkwright.blocks.checkpoint import Checkpoint, unsaved
 from linkwright.blocks.lock import Lock, shared
 from linkwright.blocks.work import UNIT, Arrays, Cut
+from linkwright.data_classes import dataclass
 from linkwright.findings import Finding, ModelError
 from linkwright.model.output_files import refuse_links_in
-from linkwright.records import dataclass
 
 WHOLE = {"array.write_empty_chunks": True}
 """Zarr leaves out chunks of NaN alone, which then look like those that nobody has written."""

@@ -25,6 +25,7 @@ from linkwright.cam.followers import (
     TranslatingRoller,
 )
 from linkwright.cam.form_closure import Conjugate, opposite
+from linkwright.data_classes import dataclass
 from linkwright.elements.cam_contact import cam_followers
 from linkwright.elements.cam_contact.contact import CamPair, seat, sense
 from linkwright.elements.cam_contact.follower import CamFollower
@@ -34,7 +35,6 @@ from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
 from linkwright.notation import Jet, Pair, Scalar
 from linkwright.notation.jets import call
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 Parameters = Mapping[str, float]

@@ -14,7 +14,7 @@ from collections.abc import Iterator
 
 from linkwright.cam.disc import Disc
 from linkwright.cam.extremes import CamExtreme, curvature, extremes, pressure, stretches
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 
 
 @dataclass(frozen=True)

@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from linkwright.cam.disc import TURN, Disc, DiscJets
 from linkwright.cam.extremes import Figure, extremes
 from linkwright.cam.followers import dot
+from linkwright.data_classes import dataclass
 from linkwright.notation import Jet
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

@@ -19,8 +19,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.cam.followers import CamFollowerGeometry, ContactJets, Vector, cross, dot, rotated
+from linkwright.data_classes import dataclass
 from linkwright.notation import Jet
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 Lift = Callable[[Jet], Jet]

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.cam.disc import Disc, DiscJets, Lift, inside
+from linkwright.data_classes import dataclass
 from linkwright.notation import Jet
-from linkwright.records import dataclass
 from linkwright.results.stationary import crossings, stationary
 
 Array = NDArray[np.float64]

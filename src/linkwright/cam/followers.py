@@ -13,10 +13,10 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.notation import Jet
 from linkwright.notation.angles import wrapped
 from linkwright.notation.registry import Registry
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 Vector = tuple[Jet, Jet]

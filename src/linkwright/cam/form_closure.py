@@ -17,8 +17,8 @@ from linkwright.cam.checks import CamCheck, CamLimits, checks, undercut
 from linkwright.cam.contact import ContactPlace, NoContact
 from linkwright.cam.disc import Disc, DiscJets
 from linkwright.cam.extremes import CamExtreme, extremes
+from linkwright.data_classes import dataclass
 from linkwright.notation import Jet
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

@@ -19,8 +19,8 @@ from linkwright.cam.contact import ContactPlace, NoContact, rows
 from linkwright.cam.disc import TURN, DiscJets
 from linkwright.cam.extremes import CamExtreme, Figure, extremes
 from linkwright.cam.loads import CamForces
+from linkwright.data_classes import dataclass
 from linkwright.notation import Jet
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

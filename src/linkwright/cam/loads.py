@@ -21,8 +21,8 @@ from linkwright.cam.contact import ContactPlace, contact_lever, drivable, rows
 from linkwright.cam.disc import Disc, DiscJets
 from linkwright.cam.disc import inside as within
 from linkwright.cam.extremes import STEPS, CamExtreme, Figure, extremes
+from linkwright.data_classes import dataclass
 from linkwright.notation import Jet
-from linkwright.records import dataclass
 from linkwright.results.stationary import crossings
 
 Array = NDArray[np.float64]

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from linkwright.cam.checks import CamLimits, worst
 from linkwright.cam.disc import Disc
 from linkwright.cam.followers import NoFollower
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 
 Array = NDArray[np.float64]
 

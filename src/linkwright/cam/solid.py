@@ -8,8 +8,8 @@ from typing import Any
 
 from linkwright._machine import needed
 from linkwright.cam.nc.path import Element
+from linkwright.data_classes import dataclass
 from linkwright.model.temporary import temporary_folder
-from linkwright.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from linkwright.cam.disc import Disc, inside
 from linkwright.cam.nc.path import Sharp
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 
 Array = NDArray[np.float64]
 

@@ -19,8 +19,8 @@ from linkwright.cam.contact import ContactPlace, contact_lever, drivable, rows
 from linkwright.cam.disc import Disc, DiscJets
 from linkwright.cam.extremes import extremes
 from linkwright.cam.loads import FollowerLoads
+from linkwright.data_classes import dataclass
 from linkwright.notation import Jet
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 Speeds = tuple[float, float]

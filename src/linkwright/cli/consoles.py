@@ -3,6 +3,7 @@ error."""
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 from rich.console import Console, ConsoleOptions
@@ -49,7 +50,7 @@ class Stream(Console):
         raise
 
 
-out = Stream(highlight=False, soft_wrap=True, emoji=False)
-# A pipe has no width.
-wide = out if out.is_terminal else Stream(highlight=False, soft_wrap=True, emoji=False, width=120)
-err = Stream(stderr=True, highlight=False, soft_wrap=True, emoji=False)
+_stream = partial(Stream, highlight=False, soft_wrap=True, emoji=False)
+out = _stream()
+wide = out if out.is_terminal else _stream(width=120)  # a pipe has no width
+err = _stream(stderr=True)

@@ -12,7 +12,7 @@ import click
 
 from linkwright.cli.streams import read_or_not
 from linkwright.cli.usage import option
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 
 if TYPE_CHECKING:
     from linkwright.app import Examined, Job, Writing

@@ -17,6 +17,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from linkwright.compilation.stages import Laws, Uses, assemble, check, desugar, laws, quantities, structure, warnings
+from linkwright.data_classes import dataclass
 from linkwright.findings import Finding, raise_errors
 from linkwright.kernels import Compiled
 from linkwright.kernels.law import DriveLaw
@@ -28,7 +29,6 @@ from linkwright.model.mechanism import Mechanism
 from linkwright.model.model_file import read_model_file
 from linkwright.model.named_numbers import NamedNumbers
 from linkwright.model.quantities import Quantities
-from linkwright.records import dataclass
 from linkwright.structure import Structure
 
 

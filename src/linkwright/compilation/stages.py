@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import field
 from pathlib import Path
 
+from linkwright.data_classes import dataclass
 from linkwright.findings import Finding, Joined
 from linkwright.graph import assembly as modes
 from linkwright.graph.assembly import Assembly
@@ -22,7 +23,6 @@ from linkwright.model.mechanism import Mechanism
 from linkwright.model.places import ExpressionPlace
 from linkwright.model.plausible import implausible
 from linkwright.model.quantities import Quantities
-from linkwright.records import dataclass
 from linkwright.structure import Structure, Topology, decompose
 
 Uses = Sequence[ExpressionPlace] | Callable[[Mechanism], Sequence[ExpressionPlace]]

@@ -22,6 +22,7 @@ from typing import Annotated, Any, ClassVar
 import numpy as np
 from pydantic import BeforeValidator
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.curves import Curve, polygon
 from linkwright.elements.entries import NumberFault, StatedPlaces
 from linkwright.elements.fields import TwoLinks
@@ -33,7 +34,6 @@ from linkwright.expressions.typed_fields import Quantity, Sign
 from linkwright.expressions.written import FaultWithin
 from linkwright.notation import Body, Pair, Scalar, Wrench
 from linkwright.notation.jets import call, is_zero
-from linkwright.records import dataclass
 
 STRANDS = {"left": u.FORCE, "right": u.FORCE}
 

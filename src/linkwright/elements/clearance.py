@@ -12,7 +12,7 @@ from typing import Any, ClassVar, NamedTuple, Protocol
 
 import numpy as np
 
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 
 
 class Axis(NamedTuple):

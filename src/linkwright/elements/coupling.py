@@ -13,6 +13,7 @@ from typing import Annotated, Any, ClassVar
 import numpy as np
 from pydantic import Field
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.fields import TwoLinks
 from linkwright.elements.follower import (
     Follower,
@@ -35,7 +36,6 @@ from linkwright.expressions.typed_fields import Scope, of_drive
 from linkwright.expressions.unknown import near
 from linkwright.findings import Finding
 from linkwright.notation import Jet, Scalar
-from linkwright.records import dataclass
 
 
 class CouplingEntry(FollowerEntry):

@@ -22,6 +22,7 @@ from typing import Annotated, Any, ClassVar
 import numpy as np
 from pydantic import BeforeValidator
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.curves import Curve, spoked
 from linkwright.elements.entries import JointEntry, NumberFault
 from linkwright.elements.fields import LinkName
@@ -48,7 +49,6 @@ from linkwright.expressions.units import Dimension
 from linkwright.expressions.written import FaultWithin, unexpected
 from linkwright.notation import Body, Jet, Pair, Scalar
 from linkwright.notation.jets import call
-from linkwright.records import dataclass
 
 LEAST = 3
 """The fewest shafts: of two there is a ratio, which a coupling or gears have."""

@@ -12,8 +12,8 @@ from typing import Any, ClassVar, Protocol, Self
 
 from pydantic import BaseModel
 
+from linkwright.elements.kind_modules import chosen_in
 from linkwright.elements.mirror import Mirror, NotMirroredError
-from linkwright.elements.table import chosen_in
 from linkwright.expressions.fields import Expression, Frozen
 from linkwright.expressions.typed_fields import Context, Quantity, Sign
 from linkwright.expressions.units import Dimension

@@ -14,12 +14,13 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import field
 from typing import Any, ClassVar, Protocol
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.curves import Curve
 from linkwright.elements.entries import JointEntry, make_known
 from linkwright.elements.force import SignalChart
 from linkwright.elements.joint import Applied, Array, JointGeometry, LinkPoses, Miss
+from linkwright.elements.kind_modules import of_contract
 from linkwright.elements.mover import TRAVEL, TURN, MoverReports, MoverSignals
-from linkwright.elements.table import of_contract
 from linkwright.elements.touch import ReportedTouch, Touch
 from linkwright.expressions import units as u
 from linkwright.expressions.language import Call, Node
@@ -29,7 +30,6 @@ from linkwright.findings import Finding, Term, Text
 from linkwright.laws import Motion
 from linkwright.notation import Jet, Pair, Scalar, Wrench
 from linkwright.notation.registry import Registry
-from linkwright.records import dataclass
 
 Motions = Mapping[str, Any]
 """The motion laws by name: of each ``given(parameters)`` is the :class:`~linkwright.laws.Motion` at some parameters."""

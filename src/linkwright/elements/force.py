@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 from linkwright.elements.entries import NOUNS, ForceEntry, make_known
 from linkwright.elements.joint import Applied, LinkPoses
+from linkwright.elements.kind_modules import of_contract
 from linkwright.elements.mover import MoverReports
-from linkwright.elements.table import of_contract
 from linkwright.elements.touch import ReportedTouch, Touch
 from linkwright.expressions.dimensions import Wanted
 from linkwright.expressions.fields import Expression, Position, Two

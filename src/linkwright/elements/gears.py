@@ -24,6 +24,7 @@ from typing import Annotated, Any, ClassVar
 import numpy as np
 from pydantic import BeforeValidator
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.clearance import OnFlank, StatedClearance
 from linkwright.elements.entries import NumberFault, StatedPlaces
 from linkwright.elements.fields import TwoLinks
@@ -35,7 +36,6 @@ from linkwright.expressions.typed_fields import Quantity, Ref, Sign
 from linkwright.expressions.written import FaultWithin
 from linkwright.notation import Body, Pair, Scalar, Wrench
 from linkwright.notation.jets import call, is_zero
-from linkwright.records import dataclass
 
 EXACT, VARIED = 1e-6, 1e-2
 """By how much of itself the centre distance may differ from that of the radii, where both are nominal, and where

@@ -15,16 +15,16 @@ from typing import Any, ClassVar, Literal, NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.clearance import LooseJoint, StatedClearance
 from linkwright.elements.curves import Curve
 from linkwright.elements.entries import JointEntry, make_known
-from linkwright.elements.table import of_contract
+from linkwright.elements.kind_modules import of_contract
 from linkwright.elements.touch import ReportedTouch, Touch
 from linkwright.expressions.written import FaultWithin
 from linkwright.findings import Term
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
 from linkwright.notation.registry import Registry
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 RowUnit = Literal["length", "angle"]

@@ -11,9 +11,9 @@ from __future__ import annotations
 from collections.abc import Container
 from typing import Any, Protocol, TypeVar, runtime_checkable
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.points import FRAME
 from linkwright.expressions.fields import Expression, LineOn, Position
-from linkwright.records import dataclass
 
 Made = TypeVar("Made")
 

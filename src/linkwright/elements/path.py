@@ -13,6 +13,7 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import BeforeValidator, Field
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.entries import NumberFault
 from linkwright.elements.fields import LinkName
 from linkwright.elements.joint import Applied, JointGeometry
@@ -29,7 +30,6 @@ from linkwright.expressions.written import Fault
 from linkwright.findings import Joined
 from linkwright.notation import Pair
 from linkwright.notation.jets import call
-from linkwright.records import dataclass
 
 
 class PathArc(Frozen):

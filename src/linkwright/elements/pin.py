@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.clearance import AnyDirection, Axis, Known, Rows, Seats, StatedClearance
 from linkwright.elements.joint import (
     Array,
@@ -26,7 +27,6 @@ from linkwright.expressions.written import FaultWithin
 from linkwright.findings import Joined
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
 from linkwright.notation.planar import turning_axis, unit_vector
-from linkwright.records import dataclass
 
 Turn = Pair
 """A position on a pin: the unit vector (cos, sin) of the link's x axis."""

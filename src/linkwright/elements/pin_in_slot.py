@@ -18,6 +18,7 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 import numpy as np
 from pydantic import BeforeValidator
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.clearance import OnFlank, StatedClearance
 from linkwright.elements.curves import Curve
 from linkwright.elements.entries import JointEntry, NumberFault
@@ -44,7 +45,6 @@ from linkwright.findings import Joined
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec
 from linkwright.notation.jets import call, is_zero
 from linkwright.notation.planar import unit_vector
-from linkwright.records import dataclass
 
 MOST = 60
 """The most places that a curve may be given by."""

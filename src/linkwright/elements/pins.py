@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cached_property
 from typing import Any
 
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 
 
 @dataclass(frozen=True)

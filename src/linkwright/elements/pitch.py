@@ -22,6 +22,7 @@ from typing import Annotated, Any, ClassVar, NamedTuple
 import numpy as np
 from pydantic import BeforeValidator
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.curves import Curve, circle, spoked
 from linkwright.elements.entries import JointEntry
 from linkwright.elements.fields import point_of_joint
@@ -44,7 +45,6 @@ from linkwright.expressions.written import FaultWithin
 from linkwright.findings import Joined
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
 from linkwright.notation.jets import call
-from linkwright.records import dataclass
 
 
 class WheelsEntry(JointEntry):

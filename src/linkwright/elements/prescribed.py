@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.joint import (
     Applied,
     ContactReaction,
@@ -25,7 +26,6 @@ from linkwright.elements.joint import (
 )
 from linkwright.notation import Body, Jet, Pair
 from linkwright.notation.planar import unit_vector
-from linkwright.records import dataclass
 
 
 class Track(NamedTuple):

@@ -21,6 +21,7 @@ from typing import Annotated, Any, ClassVar, NamedTuple
 
 import numpy as np
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.clearance import OnFlank, StatedClearance
 from linkwright.elements.curves import Curve, polygon, spoked
 from linkwright.elements.entries import JointEntry, NumberFault, StatedPlaces
@@ -49,7 +50,6 @@ from linkwright.findings import Joined
 from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
 from linkwright.notation.jets import call, is_zero
 from linkwright.notation.planar import unit_vector
-from linkwright.records import dataclass
 
 PARALLEL = 1e-9
 """The sine of the angle between a rack's line and its guide is below this."""

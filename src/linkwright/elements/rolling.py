@@ -24,6 +24,7 @@ from typing import Annotated, Any, ClassVar, NamedTuple
 
 import numpy as np
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.curves import Curve, circle, polygon, spoked
 from linkwright.elements.entries import JointEntry, NumberFault
 from linkwright.elements.fields import TwoLinks, point_of_joint
@@ -48,7 +49,6 @@ from linkwright.expressions.written import FaultWithin
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec
 from linkwright.notation.jets import call
 from linkwright.notation.planar import unit_vector
-from linkwright.records import dataclass
 
 
 class Circle(Frozen):

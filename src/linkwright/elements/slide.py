@@ -8,6 +8,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.clearance import Axis, Known, Rows, Seats, StatedClearance
 from linkwright.elements.joint import (
     Array,
@@ -24,7 +25,6 @@ from linkwright.elements.lower_pair import LowerPair, Slopes
 from linkwright.expressions.written import FaultWithin
 from linkwright.findings import Joined
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
-from linkwright.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Annotated, Any, ClassVar
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.fields import TwoLinks
 from linkwright.elements.follower import (
     Follower,
@@ -29,7 +30,6 @@ from linkwright.expressions.language import Node
 from linkwright.expressions.typed_fields import Quantity
 from linkwright.findings import Finding
 from linkwright.notation import Jet
-from linkwright.records import dataclass
 
 
 class WeldEntry(FollowerEntry):

@@ -16,9 +16,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.enclosures.forms import FEW, UNIT, AffineForm, joined_forms
 from linkwright.notation.harmonics import ORDERS, WEIGHTS, basis
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 Rows = NDArray[np.intp]

@@ -10,12 +10,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.enclosures.functions import wave
 from linkwright.enclosures.taylor import TaylorModel, along, lift
 from linkwright.laws import Motion, TableLaw
 from linkwright.laws.pieces import Formula, Piece
 from linkwright.notation import Jet
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 Whole = NDArray[np.int64]

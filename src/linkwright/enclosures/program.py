@@ -10,6 +10,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.enclosures import intervals
 from linkwright.enclosures.forms import FEW, UNIT, AffineForm
 from linkwright.enclosures.functions import continuous_angle
@@ -17,7 +18,6 @@ from linkwright.enclosures.intervals import Intervals
 from linkwright.enclosures.taylor import FUNCTIONS, TaylorModel
 from linkwright.graph.program import ExpressionStage
 from linkwright.kernels.operations import OPERATIONS, operation
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 Function = Callable[..., Any]

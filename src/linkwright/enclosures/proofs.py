@@ -12,13 +12,13 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.enclosures.bounds import ROUND, above, evaluated
 from linkwright.enclosures.motion import Enclosure
 from linkwright.enclosures.panels import MARGIN, PRECISE
 from linkwright.enclosures.taylor import TaylorModel
 from linkwright.expressions.language import Node
 from linkwright.kernels.change_points import GAP
-from linkwright.records import dataclass
 from linkwright.results import Run
 
 Array = NDArray[np.float64]

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.language import Binary, Call, ExpressionError, Name, Negative, Node, evaluate, nodes
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
-from linkwright.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -8,10 +8,10 @@ from typing import Any, ClassVar, Protocol
 
 from pydantic import BaseModel
 
+from linkwright.data_classes import dataclass
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.notation.registry import Registry
-from linkwright.records import dataclass
 from linkwright.studies import RunContext
 from linkwright.studies.sections import read_section
 

@@ -12,11 +12,11 @@ from fractions import Fraction
 from itertools import count
 from typing import Any
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.language import FUNCTIONS, Binary, Call, Name, Negative, Node, Number, evaluate, nodes
 from linkwright.expressions.system import DimensionSystem, Unknown
 from linkwright.expressions.trees import is_signal, text_of
 from linkwright.expressions.units import ANGLE, PURE, TIME, Dimension, unit, words_of
-from linkwright.records import dataclass
 
 _serial = count(1)
 

@@ -16,6 +16,7 @@ import math
 from collections.abc import Callable
 from typing import Any
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.parser import ExpressionError, parse
 from linkwright.expressions.trees import (
     Binary,
@@ -32,7 +33,6 @@ from linkwright.expressions.trees import (
 from linkwright.laws.step import step5
 from linkwright.notation import Jet
 from linkwright.notation.jets import call, symbolic
-from linkwright.records import dataclass
 
 __all__ = [
     "FUNCTIONS",

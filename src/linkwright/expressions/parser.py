@@ -9,10 +9,10 @@ from dataclasses import field
 from functools import lru_cache
 from typing import Any, Literal, NamedTuple
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.trees import Binary, Call, Name, Negative, Node, Number, height
 from linkwright.expressions.units import is_unit
 from linkwright.findings import Term
-from linkwright.records import dataclass
 
 Role = Literal["element", "function", "parameter"]
 MAX_TEXT = 2000

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import field
 from fractions import Fraction
 
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 
 Power = Fraction | int
 Powers = tuple[Power, ...]

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.units import is_unit
-from linkwright.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -19,11 +19,11 @@ from typing import Any, NamedTuple
 from pydantic import GetJsonSchemaHandler
 from pydantic_core import CoreSchema
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.dimensions import Wanted
 from linkwright.expressions.field_schema import with_kind, with_quantity
 from linkwright.expressions.units import Dimension
 from linkwright.expressions.written import FrozenDict
-from linkwright.records import dataclass
 
 Path = tuple[str | int, ...]
 

@@ -8,13 +8,13 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions import units as u
 from linkwright.formulas.dialect import line
 from linkwright.formulas.evaluate import value
 from linkwright.formulas.pieces import FormulaPiece
 from linkwright.formulas.terms import number
 from linkwright.model.quantities import Quantities
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

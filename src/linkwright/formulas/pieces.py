@@ -9,12 +9,12 @@ from math import floor
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.language import Binary, Call, Node, Number, evaluate
 from linkwright.formulas.functions import PiecewiseFunction
 from linkwright.formulas.switches import FORMULAS, SWITCHES
 from linkwright.formulas.terms import MADE, T, affine, function_call, plain
 from linkwright.notation import Jet
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

@@ -13,13 +13,13 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.follower import Follower
 from linkwright.elements.force import Acting, Break
 from linkwright.expressions.language import FUNCTIONS, Call, Name, Node, is_signal, nodes, signal_text
 from linkwright.expressions.trees import children
 from linkwright.model.signals import Signal
 from linkwright.notation import Scalar, Wrench
-from linkwright.records import dataclass
 
 if TYPE_CHECKING:
     from linkwright.graph.graph import Graph

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.data_classes import dataclass
 from linkwright.elements import OuterPin
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.fields import AssemblyRule
@@ -24,7 +25,6 @@ from linkwright.model.pins import Pin
 from linkwright.model.quantities import Quantities
 from linkwright.model.sketch import Drawn, drawn_rules
 from linkwright.notation import Jet, Pair
-from linkwright.records import dataclass
 from linkwright.structure import Connection, Group, HigherGroup, Structure
 
 

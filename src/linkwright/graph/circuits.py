@@ -18,8 +18,8 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.graph.constraints import Constraints
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

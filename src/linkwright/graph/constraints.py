@@ -12,12 +12,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.elements import STILL, Twist
 from linkwright.graph.geometry import ZERO, Geometry
 from linkwright.notation import Body, Jet, Pair, Vec
 from linkwright.notation.angles import wrapped
 from linkwright.notation.planar import unit_vector
-from linkwright.records import dataclass
 from linkwright.structure import FRAME, Topology
 
 Array = NDArray[np.float64]

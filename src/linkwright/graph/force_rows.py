@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from linkwright.data_classes import dataclass
 from linkwright.graph.rows import ElementActionRow, Row
 from linkwright.notation import Scalar, Wrench
-from linkwright.records import dataclass
 
 if TYPE_CHECKING:
     from linkwright.graph.graph import Graph

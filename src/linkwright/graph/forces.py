@@ -13,6 +13,7 @@ from functools import partial, reduce
 
 import casadi as ca
 
+from linkwright.data_classes import dataclass
 from linkwright.elements import Twist
 from linkwright.elements.force import Reactions, Resistance
 from linkwright.graph.friction import FrictionSystem, Resisting
@@ -23,7 +24,6 @@ from linkwright.graph.placing import outer_joint
 from linkwright.groups.linear import Factor
 from linkwright.notation import Body, Pair, Scalar, Wrench
 from linkwright.notation.jets import is_zero
-from linkwright.records import dataclass
 from linkwright.structure import FRAME, Connection, Driven, Group, HigherGroup, LinkPlacement, Wedge
 
 Efforts = dict[str, dict[str, Wrench]]

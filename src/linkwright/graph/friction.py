@@ -14,11 +14,11 @@ from collections.abc import Sequence
 from dataclasses import field
 from typing import TYPE_CHECKING, NamedTuple
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.force import Acting, Reactions, Resistance, Seats
 from linkwright.groups.linear import Factor
 from linkwright.notation import Scalar, Wrench
 from linkwright.notation.jets import call
-from linkwright.records import dataclass
 
 if TYPE_CHECKING:
     from collections.abc import Callable

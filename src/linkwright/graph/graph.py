@@ -13,6 +13,7 @@ from typing import Any
 
 import casadi as ca
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.force import Acting
 from linkwright.expressions.language import Call, Name, parse
 from linkwright.graph.actions import Actions
@@ -24,7 +25,6 @@ from linkwright.model.quantities import Quantities
 from linkwright.model.signals import Signal
 from linkwright.notation import MAX_ORDER
 from linkwright.notation.symbols import column
-from linkwright.records import dataclass
 from linkwright.structure import HigherGroup, Structure
 
 

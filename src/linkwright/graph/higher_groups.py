@@ -17,13 +17,13 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from linkwright.data_classes import dataclass
 from linkwright.elements import STILL, Inner, Twist
 from linkwright.graph.geometry import extent
 from linkwright.graph.placing import answered, driven_body, inner_joint, outer_joint
 from linkwright.groups.linear import Factor
 from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
 from linkwright.notation.jets import call
-from linkwright.records import dataclass
 from linkwright.structure import Connection, HigherGroup, LinkPlacement
 
 if TYPE_CHECKING:

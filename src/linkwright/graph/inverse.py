@@ -17,6 +17,8 @@ from typing import Any
 
 import casadi as ca
 
+from linkwright.data_classes import dataclass
+from linkwright.elements.points import AXES
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.graph import Graph
 from linkwright.graph.legs import triad
@@ -27,10 +29,8 @@ from linkwright.graph.triads import TriadSystem, place_links
 from linkwright.model.mechanism import FRAME, Drive, Joint, Link, Mechanism
 from linkwright.notation import Body, Jet, Pair, Scalar
 from linkwright.notation.symbols import Symbol, column
-from linkwright.records import dataclass
 from linkwright.structure import Group, HigherGroup, Structure, decompose
 
-AXES = ("x", "y")
 TRIADS = 1
 """With more the poses would be too many to enclose."""
 

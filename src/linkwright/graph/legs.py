@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import math
 
+from linkwright.data_classes import dataclass
 from linkwright.elements import InnerLine, InnerPin, OuterLine, OuterPin
 from linkwright.graph.motion import Motion
 from linkwright.graph.placing import driven_body, inner_joint, outer_joint
 from linkwright.notation import Body, Jet, Pair, Scalar
 from linkwright.notation.jets import is_zero
-from linkwright.records import dataclass
 from linkwright.structure import Connection, HigherGroup
 
 Row = tuple[Scalar, Scalar, Scalar]

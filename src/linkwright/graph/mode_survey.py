@@ -9,13 +9,13 @@ from dataclasses import field, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.graph.circuits import CircuitCurve, Tracer
 from linkwright.graph.constraints import Constraints, FollowerRelation
 from linkwright.graph.geometry import ZERO
 from linkwright.graph.modes import Explorer, FoundModes, Mode
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Body, Pair
-from linkwright.records import dataclass
 from linkwright.structure import FRAME, Structure
 
 Array = NDArray[np.float64]

@@ -15,6 +15,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.units import LENGTH
 from linkwright.graph.geometry import Geometry, extent
 from linkwright.graph.graph import Graph
@@ -26,7 +27,6 @@ from linkwright.graph.triads import TriadSystem, coordinates, read_coordinates
 from linkwright.groups import Dyad
 from linkwright.model.quantities import Quantities
 from linkwright.notation import MAX_ORDER, Body, Jet
-from linkwright.records import dataclass
 from linkwright.structure import FRAME, Group, HigherGroup, Step, Structure
 
 Array = NDArray[np.float64]

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import field
 from functools import partial
 
+from linkwright.data_classes import dataclass
 from linkwright.elements import Twist
 from linkwright.elements.lower_pair import LowerPair
 from linkwright.elements.mover import Mover
@@ -17,7 +18,6 @@ from linkwright.groups import REGISTRY, Dyad, Solved
 from linkwright.groups.dyad import determinant_of
 from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
 from linkwright.notation.planar import unit_vector
-from linkwright.records import dataclass
 from linkwright.structure import FRAME, Driven, Group, HigherGroup, Step, Structure, Wedge
 
 Branch = Callable[[Group, Dyad], Scalar]

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from linkwright.data_classes import dataclass
 from linkwright.graph.actions import wrenches
 from linkwright.graph.forces import own_wrench
 from linkwright.graph.power import power_of_wrench, supplied
 from linkwright.graph.rows import ElementActionRow, Row
 from linkwright.notation import Scalar
 from linkwright.notation.jets import call
-from linkwright.records import dataclass
 from linkwright.structure import FRAME
 
 if TYPE_CHECKING:

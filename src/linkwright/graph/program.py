@@ -14,8 +14,8 @@ from typing import Any, NamedTuple
 import casadi as ca
 import numpy as np
 
+from linkwright.data_classes import dataclass
 from linkwright.notation.symbols import column
-from linkwright.records import dataclass
 
 
 class Instruction(NamedTuple):

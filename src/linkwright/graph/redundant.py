@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.units import LENGTH
 from linkwright.findings import Finding
 from linkwright.graph.assembly import assemble
@@ -23,7 +24,6 @@ from linkwright.graph.constraints import Constraints
 from linkwright.graph.geometry import Geometry, extent
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.quantities import Quantities
-from linkwright.records import dataclass
 from linkwright.structure import FRAME, Structure, decompose
 
 Array = NDArray[np.float64]

@@ -10,6 +10,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable
 from typing import TYPE_CHECKING, ClassVar
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.force import Acting
 from linkwright.expressions.language import Call, Name, Node, Number, is_signal, nodes, signal_text, text_of
 from linkwright.graph.actions import active
@@ -18,7 +19,6 @@ from linkwright.graph.forces import lever, unit_efforts
 from linkwright.graph.geometry import ZERO
 from linkwright.model.signals import Signal
 from linkwright.notation import Body, Scalar
-from linkwright.records import dataclass
 from linkwright.structure import Structure
 
 if TYPE_CHECKING:

@@ -14,9 +14,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.graph.constraints import Constraints
 from linkwright.model.signals import Contact
-from linkwright.records import dataclass
 from linkwright.structure import FRAME
 
 Array = NDArray[np.float64]

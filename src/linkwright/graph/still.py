@@ -10,6 +10,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.graph.actions import wrenches
 from linkwright.graph.forces import own_wrench
 from linkwright.graph.geometry import ZERO, Geometry
@@ -20,7 +21,6 @@ from linkwright.graph.rows import Named
 from linkwright.graph.view import View
 from linkwright.notation import MAX_ORDER, Body, Jet, Pair, Vec, Wrench
 from linkwright.notation.symbols import Symbol
-from linkwright.records import dataclass
 from linkwright.structure import FRAME
 
 Pose = Mapping[str, NDArray[np.float64]]

@@ -20,12 +20,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.graph.geometry import ZERO
 from linkwright.graph.legs import EQUATIONS, CircleLeg, Fixed, Linear, Row, Triad
 from linkwright.graph.motion import Motion
 from linkwright.graph.placing import outer_joint
 from linkwright.notation import Body, Pair, Scalar
-from linkwright.records import dataclass
 from linkwright.structure import HigherGroup
 
 Array = NDArray[np.float64]

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import casadi as ca
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.entries import NOUNS
 from linkwright.elements.follower import UnitEffort
 from linkwright.elements.touch import Touch
@@ -28,7 +29,6 @@ from linkwright.graph.singular_orders import pole
 from linkwright.model.signals import BREAKAWAY, POWER, Signal
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
 from linkwright.notation.symbols import Symbol
-from linkwright.records import dataclass
 from linkwright.structure import FRAME
 
 if TYPE_CHECKING:

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from linkwright.data_classes import dataclass
 from linkwright.elements import InnerLine, OuterLine, Twist
 from linkwright.graph.placing import inner_joint, outer_joint, place_chain
 from linkwright.notation import Jet, Pair, Scalar, Wrench
-from linkwright.records import dataclass
 from linkwright.structure import Wedge
 
 if TYPE_CHECKING:

@@ -12,12 +12,12 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable
 from typing import ClassVar
 
+from linkwright.data_classes import dataclass
 from linkwright.elements import Outer, OuterLine, OuterPin, Twist
 from linkwright.elements.lower_pair import LowerPair, Slopes
 from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
 from linkwright.notation.jets import call
 from linkwright.notation.registry import Registry
-from linkwright.records import dataclass
 
 Coordinate = Scalar | Pair
 Carry = Callable[[Body], Body]

@@ -15,6 +15,7 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.graph.assembly import Assembly
 from linkwright.graph.graph import Graph
 from linkwright.graph.rows import Named
@@ -30,7 +31,6 @@ from linkwright.model.placed_copies import PlacedCopy
 from linkwright.model.plane import LinkagePlane
 from linkwright.model.quantities import Quantities
 from linkwright.model.signals import Signal
-from linkwright.records import dataclass
 from linkwright.structure import Group, HigherGroup, Structure
 
 Array = NDArray[np.float64]

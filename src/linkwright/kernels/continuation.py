@@ -15,9 +15,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.graph.graph import Graph
 from linkwright.kernels.registry import KERNELS, Kernel
-from linkwright.records import dataclass
 from linkwright.structure import HigherGroup
 
 Array = NDArray[np.float64]

@@ -15,12 +15,12 @@ from dataclasses import field
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.graph.graph import Graph
 from linkwright.kernels.continuation import CLOSE, PATIENCE, Corrector
 from linkwright.kernels.continuation_paths import NEAR, STRIDE, Place, SamplePaths
 from linkwright.kernels.newton import steps
 from linkwright.kernels.registry import KERNELS, Kernel
-from linkwright.records import dataclass
 from linkwright.structure import HigherGroup
 
 Array = NDArray[np.float64]

@@ -10,10 +10,10 @@ from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import field
 
+from linkwright.data_classes import dataclass
 from linkwright.kernels.listing import Listing, P, Value, X
 from linkwright.kernels.operations import operation
 from linkwright.kernels.straight_line import Code, whole_power, written
-from linkwright.records import dataclass
 
 SCALAR, SHARED, OWN = "scalar", "shared", "own"
 FORMS = {

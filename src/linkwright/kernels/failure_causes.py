@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.findings import Finding
 from linkwright.graph.assembly import shortfall_at, shortfall_data
 from linkwright.graph.graph import Graph
-from linkwright.records import dataclass
 from linkwright.structure import Group, HigherGroup, Structure
 
 if TYPE_CHECKING:

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.typed_fields import Path
 from linkwright.findings import Finding, ModelError
 from linkwright.graph.geometry import Geometry
@@ -15,7 +16,6 @@ from linkwright.kernels.law import Array, DriveLaw, Parameters, must_be_finite
 from linkwright.kernels.motions import StatedMotion
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Jet
-from linkwright.records import dataclass
 
 
 @dataclass(frozen=True)

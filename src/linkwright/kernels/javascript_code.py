@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from itertools import groupby
 
+from linkwright.data_classes import dataclass
 from linkwright.kernels.recorded_code import ARGUMENT, ENTRY, NUMBER, Named, RecordedCode, Stored, decimal
-from linkwright.records import dataclass
 
 
 @dataclass(frozen=True)

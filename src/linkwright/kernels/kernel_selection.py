@@ -6,10 +6,10 @@ again.
 
 from __future__ import annotations
 
+from linkwright.data_classes import dataclass
 from linkwright.findings import Term
 from linkwright.graph.program import Program
 from linkwright.kernels.registry import KERNELS
-from linkwright.records import dataclass
 
 LARGE = 4e8
 """Instructions times poses from which compiling, some tenth of a second with LLVM's own start, takes less time than it

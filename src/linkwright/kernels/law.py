@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.typed_fields import Path
 from linkwright.findings import Finding, ModelError, Term
 from linkwright.model.quantities import LARGEST
 from linkwright.notation import Jet
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 Parameters = Mapping[str, Any]

@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright._machine import needed
+from linkwright.data_classes import dataclass
 from linkwright.kernels.llvm_code import LlvmCode
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

@@ -16,6 +16,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.cam_contact import cam_followers
 from linkwright.elements.cam_contact.contact import CamPair, base_circle_turns, seat, sense, slant
 from linkwright.elements.cam_contact.follower import CamFollower
@@ -29,7 +30,6 @@ from linkwright.laws import Motion
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Jet, Pair, Scalar, Vec
 from linkwright.notation.jets import call, is_zero
-from linkwright.records import dataclass
 
 ORDERS = (0, 0, 0, 1, 3)
 """The orders of Newton's steps from the angle of the cam. Deviations are small, and each step squares what is left; of

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Binary, Call, Name, Negative, Node, Number, evaluate
 from linkwright.expressions.units import PURE, Dimension
@@ -45,7 +46,6 @@ from linkwright.model.sampled import names_in
 from linkwright.notation import Jet, Scalar
 from linkwright.notation.duals import Dual, value_of
 from linkwright.notation.jets import symbolic
-from linkwright.records import dataclass
 
 CLOSE = 1e-9
 """How closely fractions must add up to 1."""

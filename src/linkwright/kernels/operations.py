@@ -11,7 +11,7 @@ from types import MappingProxyType
 
 import casadi as ca
 
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 
 
 @dataclass(frozen=True)

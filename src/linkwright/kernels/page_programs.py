@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.typed_fields import Sign
 from linkwright.findings import Finding
 from linkwright.graph.program import Program
@@ -36,7 +37,6 @@ from linkwright.kernels.page_inputs import (
 )
 from linkwright.model.conditions import Condition
 from linkwright.model.quantities import LARGEST
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

@@ -11,12 +11,12 @@ from __future__ import annotations
 from dataclasses import field
 from functools import cache
 
+from linkwright.data_classes import dataclass
 from linkwright.graph.program import NewtonStage, Program
 from linkwright.kernels.division import FORMS, OWN, SCALAR, Division, Rows
 from linkwright.kernels.listing import Listing
 from linkwright.kernels.recorded_code import RecordedCode
 from linkwright.kernels.straight_line import newton_step, written_out
-from linkwright.records import dataclass
 
 
 @dataclass

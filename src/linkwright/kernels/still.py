@@ -8,6 +8,7 @@ from dataclasses import field
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.graph.constraints import Constraints
 from linkwright.graph.rows import Named
 from linkwright.graph.statics import Statics
@@ -15,7 +16,6 @@ from linkwright.graph.still import StillGraph
 from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.external_inputs import Supply
 from linkwright.kernels.registry import KERNELS
-from linkwright.records import dataclass
 from linkwright.structure import FRAME
 
 Array = NDArray[np.float64]

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.language import Node, evaluate
 from linkwright.findings import Finding
 from linkwright.kernels.law import Parameters
@@ -19,7 +20,6 @@ from linkwright.model.quantities import Quantities
 from linkwright.model.sampled import Sampled, names_in
 from linkwright.notation import Jet, Scalar
 from linkwright.notation.jets import call
-from linkwright.records import dataclass
 
 CLOSE = 1e-9
 """How closely first and last value of a table over a whole period must agree."""

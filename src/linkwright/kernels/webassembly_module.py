@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import field
 
+from linkwright.data_classes import dataclass
 from linkwright.graph.program import ACCEPTED, MOST_STEPS, SOLVED, Program
 from linkwright.kernels.pose_functions import PoseFunctions, Solve
 from linkwright.kernels.recorded_code import ARGUMENT, RecordedCode
@@ -33,7 +34,6 @@ from linkwright.kernels.webassembly_code import (
     unsigned,
     vector,
 )
-from linkwright.records import dataclass
 
 LONGEST = 2000
 """The most instructions of one function."""

@@ -10,13 +10,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.laws.numbers import backward, largest_of, plain, settled
 from linkwright.laws.pieces import Piece, SmoothPart
 from linkwright.laws.stacked import Stack
 from linkwright.notation import Jet, Scalar
 from linkwright.notation.duals import Dual, slope_of, value_of
 from linkwright.notation.jets import call, symbolic
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

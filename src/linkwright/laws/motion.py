@@ -10,6 +10,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.laws.curve import ROUND_OFF, SMOOTH, Curve, Extreme, Join, composed, evaluate_chained, rates
 from linkwright.laws.numbers import either, first, largest_of, off, plain, possible
 from linkwright.laws.pieces import SmoothPart
@@ -17,7 +18,6 @@ from linkwright.laws.segments import MotionError, MotionFault, Segment
 from linkwright.notation import Jet, Scalar
 from linkwright.notation.duals import value_of
 from linkwright.notation.jets import call, symbolic
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

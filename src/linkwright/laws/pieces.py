@@ -10,11 +10,11 @@ from typing import Any, NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.laws.numbers import backward, largest, plain, zero
 from linkwright.notation import Jet, Scalar
 from linkwright.notation.duals import Dual, value_of
 from linkwright.notation.jets import call, symbolic
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

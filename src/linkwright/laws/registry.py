@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.data_classes import dataclass
 from linkwright.laws.curve import ROUND_OFF, SMOOTH, Curve, Extreme
 from linkwright.laws.numbers import plain
 from linkwright.laws.pieces import Piece, SmoothPart
@@ -16,7 +17,6 @@ from linkwright.notation import Scalar
 from linkwright.notation.duals import value_of
 from linkwright.notation.jets import call
 from linkwright.notation.registry import Registry
-from linkwright.records import dataclass
 
 
 @dataclass(frozen=True)

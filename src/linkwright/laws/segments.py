@@ -9,6 +9,7 @@ from typing import Any, ClassVar, Protocol
 
 import numpy as np
 
+from linkwright.data_classes import dataclass
 from linkwright.laws.curve import Curve
 from linkwright.laws.numbers import either, first, possible, settled
 from linkwright.laws.pieces import Piece
@@ -17,7 +18,6 @@ from linkwright.laws.registry import Law
 from linkwright.laws.splines import spline
 from linkwright.notation import Scalar
 from linkwright.notation.duals import value_of
-from linkwright.records import dataclass
 
 CLOSEST = 1e-6
 """How close to one another, over a segment, its points may lie."""

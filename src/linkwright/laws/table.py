@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.laws.curve import composed, switched
 from linkwright.notation import Jet
 from linkwright.notation.duals import Dual, value_of
 from linkwright.notation.jets import call, symbolic
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

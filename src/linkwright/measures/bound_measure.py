@@ -8,12 +8,12 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.fields import Requirement
 from linkwright.expressions.language import Node
 from linkwright.expressions.units import Dimension, unit
 from linkwright.model.bound_window import BoundWindow
 from linkwright.model.quantities import Quantities
-from linkwright.records import dataclass
 from linkwright.reductions import Measure, MeasureKind, figure, kind_of
 
 

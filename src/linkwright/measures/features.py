@@ -11,10 +11,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from enum import Enum
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.language import Binary, Call, Name, Negative, Node, Number, is_signal, nodes
 from linkwright.expressions.trees import children
 from linkwright.model.signals import Signal
-from linkwright.records import dataclass
 from linkwright.results.discontinuities import switches
 
 Find = Callable[[Name | Call], Signal]

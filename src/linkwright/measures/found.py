@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.units import Dimension
-from linkwright.records import dataclass
 from linkwright.reductions import FoundFigure, Measure
 
 

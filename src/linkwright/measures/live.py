@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import FUNCTIONS, Binary, Call, Name, Negative, Node, Number, is_signal, nodes
 from linkwright.expressions.units import ANGLE, Dimension
@@ -21,7 +22,6 @@ from linkwright.graph.graph import Graph
 from linkwright.graph.rows import ExpressionRow, Named
 from linkwright.kernels import Compiled
 from linkwright.measures.bound_measure import BoundMeasure, bound_measures
-from linkwright.records import dataclass
 from linkwright.reductions import Interpolant, OnSamples, SampledFigures
 from linkwright.reductions.interpolant import continuous, whole_turns
 from linkwright.reductions.samples import sound, stretches, wrapped

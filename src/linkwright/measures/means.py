@@ -8,8 +8,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.measures.sides import Side
-from linkwright.records import dataclass
 from linkwright.results.quadrature import panel_points
 
 Array = NDArray[np.float64]

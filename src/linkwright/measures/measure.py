@@ -8,6 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.language import Node
 from linkwright.expressions.units import TIME
 from linkwright.findings import Finding
@@ -16,7 +17,6 @@ from linkwright.measures.found import MeasureResult
 from linkwright.measures.probe import Probe, Search
 from linkwright.measures.signal_in_run import SignalInRun, require_bounded
 from linkwright.model.bound_window import BoundWindow
-from linkwright.records import dataclass
 from linkwright.reductions import FoundFigure, Unmeasured
 from linkwright.results import Run
 from linkwright.results.windows import intervals

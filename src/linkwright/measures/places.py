@@ -14,11 +14,11 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.language import Call, Name, Node, nodes
 from linkwright.graph.rows import Determinant, ReachRow, Row, spans
 from linkwright.measures.features import Feature, Find, ZeroKind, features
 from linkwright.measures.search import Rates, RunPieces, turning, zeros
-from linkwright.records import dataclass
 from linkwright.results import Run
 from linkwright.results.discontinuities import ASIDE, argument_of, knots, law_joins, positions
 from linkwright.results.discontinuities import zeros as zeros_of

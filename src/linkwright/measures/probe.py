@@ -10,13 +10,13 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.language import Node
 from linkwright.measures.means import MeanValue, StretchEnd, mean
 from linkwright.measures.places import BreakPlaces, Hard, vague
 from linkwright.measures.search import turning
 from linkwright.measures.sides import Side, Sides
 from linkwright.notation import Jet
-from linkwright.records import dataclass
 from linkwright.reductions import Peak
 from linkwright.results import Run
 from linkwright.results.discontinuities import ASIDE

@@ -12,7 +12,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 from linkwright.results.stationary import STILL, Rows, roots
 
 Array = NDArray[np.float64]

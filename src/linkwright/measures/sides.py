@@ -16,11 +16,11 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.language import FUNCTIONS, Binary, Call, Name, Node, evaluate, is_signal
 from linkwright.expressions.trees import children
 from linkwright.measures.features import Feature, denominator
 from linkwright.measures.germs import EPS, TERMS, Germ, Undecided
-from linkwright.records import dataclass
 from linkwright.results import Run
 
 Array = NDArray[np.float64]

@@ -7,10 +7,10 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.units import ANGLE
 from linkwright.measures.probe import Probe, inner
-from linkwright.records import dataclass
 from linkwright.reductions import FoundFigure, Grade, Measure, Peak, ProofKind, Unmeasured
 from linkwright.results.stationary import stationary
 from linkwright.results.windows import Interval, passing

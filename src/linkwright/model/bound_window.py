@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.dimensions import Dimensions
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Node, parse
 from linkwright.expressions.units import ANGLE, TIME, Dimension
-from linkwright.records import dataclass
 
 
 @dataclass(frozen=True)

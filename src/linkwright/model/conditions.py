@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.distances import ByDistances, placed
 from linkwright.elements.entries import NumberFault
 from linkwright.expressions.dimensions import DimensionError
@@ -25,7 +26,6 @@ from linkwright.model.places import ExpressionPlace, Scope
 from linkwright.model.quantities import LARGEST, Quantities
 from linkwright.model.walk import QuantityPlace
 from linkwright.notation import Pair
-from linkwright.records import dataclass
 
 CONSTANT = (Scope.CONSTANT, Scope.LOAD)
 """Where constants stand; a load may vary, and is then looked at while it moves."""

@@ -13,6 +13,7 @@ from typing import Any
 
 from pydantic_core import PydanticCustomError
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.mirror import Mirror, NotMirroredError, mirrored
 from linkwright.expressions.fields import AssemblyRule, Expression, FrozenDict
 from linkwright.expressions.parser import names_at
@@ -39,7 +40,6 @@ from linkwright.model.renamed import Renaming, namespace
 from linkwright.model.shifted import shifted_link, shifted_rule
 from linkwright.model.sketch import Drawn, sketch_faults, with_sketch
 from linkwright.model.walk import all_fields
-from linkwright.records import dataclass
 
 UNMIRRORED = ("parameters", "tables", "laws", "windows", "measures", "require")
 """The sections that have no place in the plane."""

@@ -8,12 +8,12 @@ from collections.abc import Sequence
 from itertools import islice
 from pathlib import Path
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.written import NO_TEXT
 from linkwright.findings import Finding, Joined, ModelError, Term, capped
 from linkwright.model.encodings import decoded, likely_encoding
 from linkwright.model.input_files import read_beside
 from linkwright.model.quantities import LARGEST
-from linkwright.records import dataclass
 
 Path_ = tuple[str | int, ...]
 

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import field, replace
 from functools import cached_property
 
+from linkwright.data_classes import dataclass
 from linkwright.findings import Finding
 from linkwright.model.copied_places import copied_path, with_copied_places
 from linkwright.model.copies import with_copies
@@ -17,7 +18,6 @@ from linkwright.model.places import find_typed_values
 from linkwright.model.plane import LinkagePlane, in_plane
 from linkwright.model.sketch import drawn_values, sketch_faults, sketch_path, with_sketch
 from linkwright.model.walk import Found
-from linkwright.records import dataclass
 
 Path = tuple[str | int, ...]
 

@@ -6,12 +6,12 @@ from dataclasses import field
 from pathlib import Path
 
 from linkwright import gallery
+from linkwright.data_classes import dataclass
 from linkwright.expressions.unknown import likeliest, proposed
 from linkwright.findings import Finding, ModelError, Term, reason
 from linkwright.model.document import Document, read_document
 from linkwright.model.input_files import read_at_most
 from linkwright.model.yaml_text import MAX_BYTES, Source
-from linkwright.records import dataclass
 
 
 @dataclass(frozen=True)

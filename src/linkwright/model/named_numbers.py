@@ -12,6 +12,7 @@ from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.fields import Expression, Position
 from linkwright.expressions.language import Name, nodes
 from linkwright.expressions.typed_fields import Context, Path, Sign
@@ -25,7 +26,6 @@ from linkwright.model.number_places import NumberPlace, data_at, literal, number
 from linkwright.model.parts import Parameter
 from linkwright.model.quantities import Quantities
 from linkwright.model.walk import ExpressionPlace, references, written_sites
-from linkwright.records import dataclass
 
 CONSTANT = ("parameters", "assembly", "plane", "tables", "require")
 """The sections whose numbers stay: parameters have a name, and the limits of their tolerances follow them; an assembly

@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterator, Mapping
 from decimal import Decimal
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.dimensions import DimensionError, declared_scale
 from linkwright.expressions.language import ExpressionError, Node, Number, parse
 from linkwright.expressions.typed_fields import Path
@@ -21,7 +22,6 @@ from linkwright.model.named_numbers import NamedNumbers
 from linkwright.model.number_places import NumberPlace, literal, number_places
 from linkwright.model.placed_copies import Placed
 from linkwright.model.yaml_text import Source, WrittenScalar, read_text
-from linkwright.records import dataclass
 
 _NUMBER = re.compile(r"(?:[-+−]\s*)*(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 _SIGNS = re.compile(r"[-+−\s]*")

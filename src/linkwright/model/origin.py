@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import Any
 
 from linkwright import _version
+from linkwright.data_classes import dataclass
 from linkwright.findings import ModelError
 from linkwright.model.input_files import read_beside
 from linkwright.model.mechanism import Mechanism, scopes
-from linkwright.records import dataclass
 
 DIGITS = 12
 """So many hex digits of a hash are shown to people."""

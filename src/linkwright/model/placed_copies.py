@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Container, Iterable, Mapping
 from dataclasses import replace
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.fields import FrozenDict
 from linkwright.findings import Finding
 from linkwright.model.cylinders import with_cylinders
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.renamed import NAMESPACES, Renaming, namespace
 from linkwright.model.sections import Sections
-from linkwright.records import dataclass
 
 Path = tuple[str | int, ...]
 

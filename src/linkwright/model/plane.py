@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Place, Position
 from linkwright.expressions.language import Name, nodes
@@ -23,7 +24,6 @@ from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.parts import Link, Parameter
 from linkwright.model.pins import pins
 from linkwright.model.quantities import LARGEST, Quantities
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

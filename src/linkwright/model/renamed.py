@@ -14,13 +14,13 @@ from typing import Any
 from pydantic import BaseModel
 from pydantic_core import PydanticCustomError
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.fields import Expression, FrozenDict, Written
 from linkwright.expressions.parser import names_at
 from linkwright.expressions.typed_fields import Named
 from linkwright.model.number_places import span_of_part
 from linkwright.model.references import KINDS
 from linkwright.model.walk import Spec, all_fields
-from linkwright.records import dataclass
 
 _MARK = "name_that_no_file_has"
 EXPRESSION = Named(parts=lambda text: [(0, len(text))])

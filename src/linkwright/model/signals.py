@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import cached_property
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.force import Acting
 from linkwright.elements.mover import TRAVEL as SLIDE
 from linkwright.elements.mover import TURN as LINK
@@ -18,7 +19,6 @@ from linkwright.findings import Joined, Term
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.pins import pins
 from linkwright.model.slides import in_loops
-from linkwright.records import dataclass
 
 _PLANE = ("x", "y")
 _RATES = (("", u.LENGTH), ("v", u.SPEED), ("a", u.ACCELERATION), ("j", u.JERK))

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, Union, ge
 
 from pydantic import BaseModel, RootModel
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.dimensions import Wanted
 from linkwright.expressions.fields import Expression, FrozenDict, Written
 from linkwright.expressions.typed_fields import (
@@ -30,7 +31,6 @@ from linkwright.expressions.typed_fields import (
 )
 from linkwright.expressions.units import Dimension
 from linkwright.expressions.written import Shortened
-from linkwright.records import dataclass
 
 if TYPE_CHECKING:
     from linkwright.model.mechanism import Mechanism

@@ -9,11 +9,11 @@ from dataclasses import field
 from itertools import pairwise
 from typing import Any, NamedTuple
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.full_width import TO_ASCII
 from linkwright.expressions.written import MAX_TEXT, NO_TEXT
 from linkwright.findings import Finding, Term
 from linkwright.model.encodings import decoded, likely_encoding
-from linkwright.records import dataclass
 
 MAX_BYTES = 1_000_000
 MAX_DEPTH = 24

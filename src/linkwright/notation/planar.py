@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from linkwright.data_classes import dataclass
 from linkwright.notation.jets import Jet, Scalar, call, is_zero, leibniz
-from linkwright.records import dataclass
 
 
 class Pair(NamedTuple):

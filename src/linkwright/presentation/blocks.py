@@ -12,11 +12,11 @@ from functools import cached_property
 from hashlib import blake2s
 from typing import Any
 
+from linkwright.data_classes import dataclass
 from linkwright.findings import Said, Text
 from linkwright.presentation.cells import Cell, NumberCell
 from linkwright.presentation.chart_data import ChartData
 from linkwright.presentation.charts import Content
-from linkwright.records import dataclass
 from linkwright.words import LANGUAGES, in_language, language
 
 

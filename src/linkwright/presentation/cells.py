@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from math import isfinite
 
+from linkwright.data_classes import dataclass
 from linkwright.escape import printed
 from linkwright.findings import Said, Text
-from linkwright.records import dataclass
 
 UNKNOWN = "–"
 """What stands for a number that there isn't."""

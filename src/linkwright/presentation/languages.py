@@ -12,10 +12,10 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field
 from typing import Any
 
+from linkwright.data_classes import dataclass
 from linkwright.escape import markup, unmarked
 from linkwright.findings import Said
 from linkwright.presentation.payload import data_block
-from linkwright.records import dataclass
 from linkwright.words import LANGUAGES, in_language, language
 
 _TAG = re.compile(r"<[^>]*>")

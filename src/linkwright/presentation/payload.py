@@ -6,9 +6,9 @@ import json
 import math
 from collections.abc import Mapping, Sequence
 
+from linkwright.data_classes import dataclass
 from linkwright.escape import script
 from linkwright.findings import Said
-from linkwright.records import dataclass
 
 DIGITS = 7
 """Significant digits of a number in the page: finer than any screen or print resolves."""

@@ -10,11 +10,11 @@ from typing import Annotated, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.typed_fields import Quantity, Sign
 from linkwright.expressions.units import TIME
 from linkwright.expressions.written import Fault
-from linkwright.records import dataclass
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import SIGNAL, Measure, of_signal
 from linkwright.reductions.figures import FoundFigure

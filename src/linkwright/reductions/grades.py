@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from enum import Enum
 
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 
 
 class ProofKind(Enum):

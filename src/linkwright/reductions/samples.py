@@ -12,8 +12,8 @@ from itertools import pairwise
 from math import floor, isfinite, pi
 from typing import NamedTuple
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.fields import Expression
-from linkwright.records import dataclass
 from linkwright.reductions.interpolant import Interpolant, turned_levels
 
 Interval = tuple[float, float]

@@ -11,11 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BeforeValidator, Field
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.fields import Expression, FrozenDict, fault, parse_text
 from linkwright.expressions.typed_fields import Named
 from linkwright.expressions.written import Fault, short_text
 from linkwright.findings import Said
-from linkwright.records import dataclass
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import SIGNAL, Measure
 from linkwright.reductions.figures import Figures, FoundFigure, Unmeasured

@@ -8,11 +8,11 @@ from typing import Any
 from urllib.parse import quote
 
 from linkwright import _version
+from linkwright.data_classes import dataclass
 from linkwright.escape import markup
 from linkwright.findings import Said
 from linkwright.model.origin import Origin
 from linkwright.presentation.html_file import html_file
-from linkwright.records import dataclass
 from linkwright.words import say
 
 

@@ -6,12 +6,12 @@ from __future__ import annotations
 from collections.abc import Container, Iterable, Sequence
 from itertools import groupby
 
+from linkwright.data_classes import dataclass
 from linkwright.escape import printed
 from linkwright.expressions.language import Call, Name, Negative, Node, is_signal, parse, signal_text
 from linkwright.expressions.units import ANGLE, LENGTH
 from linkwright.measures import BoundMeasure
 from linkwright.model.signals import Signal
-from linkwright.records import dataclass
 from linkwright.report.data import MeasuredSignal, SignalOwner
 from linkwright.results import Result
 

@@ -8,10 +8,10 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.language import Node
 from linkwright.graph.rows import WindowRow
 from linkwright.model.bound_window import BoundWindow
-from linkwright.records import dataclass
 from linkwright.results.batch_run import Bunch, Who
 from linkwright.results.discontinuities import sides
 from linkwright.results.windows import passed, stretches_inside

@@ -20,7 +20,7 @@ from linkwright.graph.rows import Named
 from linkwright.kernels import Compiled
 from linkwright.model.signals import BREAKAWAY, Signals
 from linkwright.results.run import Run
-from linkwright.results.stretches import CLEAR, between_changes, stretches
+from linkwright.results.sign_intervals import CLEAR, between_changes, stretches
 from linkwright.structure import Structure, Topology
 
 Array = NDArray[np.float64]

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.joint import Rate
 from linkwright.findings import Joined, Term
 from linkwright.graph.rows import determinants, spans
 from linkwright.kernels.kernel_selection import KernelChoice, choose
 from linkwright.model.signals import BREAKAWAY
-from linkwright.records import dataclass
 from linkwright.results.breakaway import creeping, efforts, starting
 from linkwright.results.independent_check import Reports
 from linkwright.results.quadrature import panel_points

@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.units import TIME, Dimension
 from linkwright.model.csv_text import head, numbers_text
-from linkwright.records import dataclass
 
 if TYPE_CHECKING:
     from linkwright.findings import Finding

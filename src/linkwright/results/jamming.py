@@ -14,9 +14,9 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.graph.force_rows import FrictionNumber
 from linkwright.kernels import Compiled
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

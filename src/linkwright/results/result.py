@@ -13,12 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright._machine import needed
+from linkwright.data_classes import dataclass
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.language import Call, ExpressionError, Name, parse
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, ModelError, Term
 from linkwright.model.output_files import write_aside
-from linkwright.records import dataclass
 from linkwright.results.certificate import Certificate
 from linkwright.results.dataset import Dataset, Variable, described, si_unit, times, variable_of
 from linkwright.results.run import Run

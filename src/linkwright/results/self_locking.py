@@ -15,7 +15,7 @@ from linkwright.graph.force_rows import FrictionlessEffort
 from linkwright.graph.power_rows import ElementPower
 from linkwright.graph.rows import Named
 from linkwright.results.run import Run
-from linkwright.results.stretches import CLEAR, between_changes, stretches
+from linkwright.results.sign_intervals import CLEAR, between_changes, stretches
 
 Array = NDArray[np.float64]
 

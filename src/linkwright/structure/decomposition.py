@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import field
 
+from linkwright.data_classes import dataclass
 from linkwright.findings import Finding, Joined, Term
 from linkwright.groups import REGISTRY
 from linkwright.model.mechanism import Mechanism
-from linkwright.records import dataclass
 from linkwright.structure.placed import PlacedLinks
 from linkwright.structure.refusals import fixed_angles, immovable_outputs, redundant, unsolved
 from linkwright.structure.steps import Chain, Driven, Group, HigherGroup, LinkPlacement, Step, Structure, Wedge

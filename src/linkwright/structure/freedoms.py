@@ -11,8 +11,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 
+from linkwright.data_classes import dataclass
 from linkwright.model.slides import closing
-from linkwright.records import dataclass
 from linkwright.structure.orientation import BODY, Orientation
 from linkwright.structure.topology import PIN, Connection, Topology
 

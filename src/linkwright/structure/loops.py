@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import islice
 
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 from linkwright.structure.topology import Connection, Topology
 
 MOST = 1000

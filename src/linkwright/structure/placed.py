@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from dataclasses import field
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.mover import Mover
 from linkwright.model.mechanism import FRAME
 from linkwright.model.slides import closing
-from linkwright.records import dataclass
 from linkwright.structure.freedoms import Freedoms
 from linkwright.structure.topology import FREEDOMS, PIN, Connection, Topology
 

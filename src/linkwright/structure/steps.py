@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from functools import cached_property
 
+from linkwright.data_classes import dataclass
 from linkwright.findings import Finding
 from linkwright.groups import REGISTRY, Dyad
-from linkwright.records import dataclass
 from linkwright.structure.topology import Connection, Topology
 
 

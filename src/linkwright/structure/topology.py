@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cached_property
 
+from linkwright.data_classes import dataclass
 from linkwright.elements import JointKind, kind
 from linkwright.elements.mover import Mover
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.pins import Pin, pins
 from linkwright.model.slides import closing, pairs_of
-from linkwright.records import dataclass
 
 FREEDOMS = 3
 """Those of a link."""

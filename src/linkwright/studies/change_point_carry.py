@@ -12,6 +12,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions import units as u
 from linkwright.expressions.units import Dimension
 from linkwright.findings import CLAUSES, Finding, Joined, ModelError, Text, enumerated
@@ -19,7 +20,6 @@ from linkwright.graph.rows import Named, ReachRow
 from linkwright.kernels import Compiled
 from linkwright.kernels.change_points import GAP, Passage, Passages, unwrapped
 from linkwright.notation.angles import wrapped
-from linkwright.records import dataclass
 from linkwright.results import Run
 from linkwright.studies.assembly_checks import TOUCH, drive_value, touching
 

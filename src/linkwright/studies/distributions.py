@@ -17,12 +17,12 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BeforeValidator, Discriminator, Field, Tag
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.fields import Interval
 from linkwright.expressions.fields import Expression, Frozen, TypedParts, Written
 from linkwright.expressions.written import Fault, fault, unexpected
 from linkwright.findings import Joined
 from linkwright.notation.registry import Registry
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 Place = tuple[str | int, ...]

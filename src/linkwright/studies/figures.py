@@ -8,12 +8,12 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Said, Text
 from linkwright.kernels import Compiled
 from linkwright.kernels.parameter_batch import Varied
 from linkwright.measures import BoundMeasure
-from linkwright.records import dataclass
 from linkwright.results import Run
 from linkwright.results.dataset import Variable, si_unit
 from linkwright.studies.batch_plan import Measuring

@@ -8,8 +8,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.language import Node
-from linkwright.records import dataclass
 from linkwright.results.batch_run import Bunch, Who
 from linkwright.results.batch_windows import Spans
 from linkwright.results.discontinuities import ASIDE

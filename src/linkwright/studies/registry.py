@@ -10,13 +10,13 @@ from typing import Any, ClassVar, Protocol, runtime_checkable
 from pydantic import BaseModel
 
 from linkwright.compilation import Uses
+from linkwright.data_classes import dataclass
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model.mechanism import Mechanism
 from linkwright.notation.registry import Registry
 from linkwright.plugins import load
 from linkwright.presentation.blocks import FileOf, StudyReport
-from linkwright.records import dataclass
 from linkwright.results import Result
 from linkwright.studies.run_context import RunContext
 from linkwright.studies.sections import read_section

@@ -6,8 +6,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from linkwright.data_classes import dataclass
 from linkwright.model.document import Document
-from linkwright.records import dataclass
 
 if TYPE_CHECKING:
     from linkwright.blocks import Progress, Runner

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.language import Node
 from linkwright.measures import BoundMeasure, measure_all
 from linkwright.model.bound_window import BoundWindow
-from linkwright.records import dataclass
 from linkwright.reductions import Figures, Measure
 from linkwright.results.batch_run import Bunch, What
 from linkwright.results.batch_windows import Spans, Windows, spans

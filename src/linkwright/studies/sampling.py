@@ -12,12 +12,12 @@ from numpy.typing import NDArray
 
 from linkwright.blocks import UNIT, Carried, Threads, carry
 from linkwright.blocks.runners import opened
+from linkwright.data_classes import dataclass
 from linkwright.findings import Finding, Joined, ModelError, Term
 from linkwright.kernels import KERNELS
 from linkwright.kernels.kernel_selection import KernelChoice, choose
 from linkwright.measures import BoundMeasure, bound_measures
 from linkwright.model.origin import table_files
-from linkwright.records import dataclass
 from linkwright.results import Run
 from linkwright.studies.assembly_checks import singular, unassembled
 from linkwright.studies.change_point_carry import carry_through_change_points

@@ -12,8 +12,8 @@ from linkwright.blocks import Checkpoint, Cut, Folding, Reduction, Sink, Togethe
 from linkwright.blocks.checkpoint import unsaved
 from linkwright.blocks.store import Stored, Variable
 from linkwright.blocks.work import Arrays
+from linkwright.data_classes import dataclass
 from linkwright.findings import Finding, ModelError
-from linkwright.records import dataclass
 from linkwright.studies.run_context import RunContext
 from linkwright.studies.sampling_output import Samples
 from linkwright.studies.sampling_task import SampleTask, SampleWork

@@ -17,6 +17,7 @@ from linkwright.blocks import Cut, Fourth, Histogram, Moments, Reduction, Tallie
 from linkwright.blocks.store import Variable
 from linkwright.blocks.work import Arrays
 from linkwright.compilation import examine
+from linkwright.data_classes import dataclass
 from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, parse
 from linkwright.findings import raise_errors
 from linkwright.kernels import Compiled, machine_code
@@ -27,7 +28,6 @@ from linkwright.model.document import Document, plain
 from linkwright.model.places import ExpressionPlace
 from linkwright.model.temporary import temporary_folder
 from linkwright.notation.angles import whole_turns
-from linkwright.records import dataclass
 from linkwright.results import Run
 from linkwright.results.dataset import si_unit
 from linkwright.studies.cycle.options import span

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from math import sqrt
 
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 
 CONFIDENCE = 0.95
 

@@ -11,8 +11,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.notation.registry import Registry
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

@@ -81,7 +81,7 @@ def _find(key: str, name: str) -> str | None:
 
 
 def known(key: str) -> bool:
-    """Whether there is a text of ``key``, in the first language at least."""
+    """Whether the catalogue has a text of ``key``."""
     return _find(key, LANGUAGES[0]) is not None
 
 

@@ -21,7 +21,7 @@ from linkwright.cam.disc import TURN, Disc
 from linkwright.cam.nc.job import MillingJob, Pass, side, way
 from linkwright.cam.nc.lead_in import around, beyond, leads, path_ends, share
 from linkwright.cam.nc.path import CutterPath, Element
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 
 Array = NDArray[np.float64]
 

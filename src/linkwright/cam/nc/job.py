@@ -9,7 +9,7 @@ from dataclasses import replace
 from linkwright.cam.disc import Disc
 from linkwright.cam.nc.lead_in import around
 from linkwright.cam.nc.path import CutterPath, Element
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 
 
 @dataclass(frozen=True)

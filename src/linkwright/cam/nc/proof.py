@@ -14,7 +14,7 @@ from linkwright.cam.nc.reader import Move, NCFault, read
 from linkwright.cam.nc.swept import NothingLeft, Swept, swept
 from linkwright.cam.nc.track import Tight
 from linkwright.cam.rolling import rolled, rolled_within
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 
 Array = NDArray[np.float64]
 

@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import field, replace
 
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 
 Place = tuple[float, float, float]
 

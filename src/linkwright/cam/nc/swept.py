@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from linkwright.cam.nc.reader import Move
 from linkwright.cam.nc.track import PieceTrack, TrackPiece, chains, pieces
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 
 Array = NDArray[np.float64]
 

@@ -16,13 +16,13 @@ from __future__ import annotations
 from math import pi
 from typing import TYPE_CHECKING
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.follower import FollowerGeometry, UnitEffort
 from linkwright.expressions import units as u
 from linkwright.expressions.language import Binary, Call, Name, Node, Number
 from linkwright.notation import Pair, Scalar, Wrench
 from linkwright.notation.jets import call
 from linkwright.notation.planar import angle_near, unit_vector
-from linkwright.records import dataclass
 
 if TYPE_CHECKING:
     from linkwright.elements.cam_contact.follower import CamFollower

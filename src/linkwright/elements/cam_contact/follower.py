@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, ClassVar
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.cam_contact import contact as contacts
 from linkwright.elements.cam_contact import proof
 from linkwright.elements.cam_contact.entry import Cam
@@ -32,7 +33,6 @@ from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding
 from linkwright.laws import Motion
 from linkwright.notation import Jet, Pair, Scalar
-from linkwright.records import dataclass
 
 
 @register_follower

@@ -29,13 +29,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.follower import FollowerGeometry, UnitEffort
 from linkwright.expressions import units as u
 from linkwright.notation import Jet, Pair, Scalar, Wrench
 from linkwright.notation.duals import value_of
 from linkwright.notation.jets import call
 from linkwright.notation.planar import angle_near
-from linkwright.records import dataclass
 
 if TYPE_CHECKING:
     from linkwright.elements.follower import PoseQuery

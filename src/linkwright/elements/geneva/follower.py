@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, ClassVar
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.curves import Curve
 from linkwright.elements.follower import (
     FollowedMotion,
@@ -32,7 +33,6 @@ from linkwright.expressions.typed_fields import Path
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, Said
 from linkwright.notation import Jet, Scalar
-from linkwright.records import dataclass
 
 
 @register_follower

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from linkwright.data_classes import dataclass
 from linkwright.findings import Finding, Joined
 from linkwright.graph.geometry import extent
 from linkwright.kernels import Compiled
-from linkwright.records import dataclass
 
 NO_SIZE = 1e-2
 """The radius of gyration of what has no moment of inertia, over the mechanism's size."""

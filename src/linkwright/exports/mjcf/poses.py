@@ -8,9 +8,9 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.exports.mjcf.tree import Hold, JointTree
 from linkwright.kernels import Compiled
-from linkwright.records import dataclass
 from linkwright.results import Run
 from linkwright.structure import FRAME
 

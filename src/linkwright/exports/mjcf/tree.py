@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterable
 
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 from linkwright.structure import FRAME, Topology
 from linkwright.structure.topology import Connection
 

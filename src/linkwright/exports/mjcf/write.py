@@ -12,13 +12,13 @@ from xml.etree import ElementTree as ET
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.exports.mjcf.masses import Mass
 from linkwright.exports.mjcf.poses import TreeDrive
 from linkwright.exports.mjcf.tree import Hold, JointTree
 from linkwright.graph.geometry import Geometry, extent
 from linkwright.kernels import Compiled
 from linkwright.notation import Pair
-from linkwright.records import dataclass
 from linkwright.structure import FRAME
 from linkwright.words import say
 

@@ -12,12 +12,12 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from linkwright.data_classes import dataclass
 from linkwright.exports.process_simulate.linkage import Linkage, Refused
 from linkwright.exports.process_simulate.trees import Array, Tree, add, call, divide, multiply, negated, number
 from linkwright.exports.process_simulate.vectors import Angle, Vector, cosine, sine
 from linkwright.findings import Finding, Joined
 from linkwright.notation.registry import Registry
-from linkwright.records import dataclass
 
 CLEAR = 0.05
 """How far a direction stays from where its function ends (rad), wherever the paper's plain form does that."""

@@ -9,13 +9,13 @@ from __future__ import annotations
 import math
 from typing import ClassVar
 
+from linkwright.data_classes import dataclass
 from linkwright.exports.process_simulate.dialects import Dialect, Triangle
 from linkwright.exports.process_simulate.linkage import MM, OWN, Linkage
 from linkwright.exports.process_simulate.trees import Tree, add, call, divide, multiply, negated, number
 from linkwright.exports.process_simulate.vectors import Angle, Vector, cosine, sine
 from linkwright.notation import Pair
 from linkwright.notation.registry import Registry
-from linkwright.records import dataclass
 from linkwright.structure import Chain, Connection, Group
 
 STRAIGHT = 1e-12

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.fields import PointName
 from linkwright.elements.points import links_of_points
 from linkwright.expressions import units as u
@@ -24,7 +25,6 @@ from linkwright.kernels.law import DriveLaw
 from linkwright.kernels.laws import uniform, values_at
 from linkwright.model.references import option_faults
 from linkwright.presentation.json_numbers import known
-from linkwright.records import dataclass
 from linkwright.structure import FRAME
 from linkwright.studies.drive_sweep import Sweep, sweeping
 from linkwright.studies.limits.extremes import Transmission, transmission

@@ -9,13 +9,13 @@ from math import floor, pi
 
 import numpy as np
 
+from linkwright.data_classes import dataclass
 from linkwright.exports.followed_laws import Ridden, ridden
 from linkwright.exports.process_simulate.fitting import horner, polynomial
 from linkwright.exports.process_simulate.linkage import MM
 from linkwright.exports.process_simulate.motion import ToolMotion
 from linkwright.exports.process_simulate.trees import Tree, add, call, joint, multiply, number
 from linkwright.laws.pieces import Piece, SmoothPart
-from linkwright.records import dataclass
 
 FITTED, HALVED, SAMPLES = 1e-10, 6, 64
 """A formula of the file's own becomes polynomials within this (rad or mm): times it is halved, places of each part."""

@@ -9,6 +9,7 @@ from functools import partial
 
 import numpy as np
 
+from linkwright.data_classes import dataclass
 from linkwright.exports.process_simulate import evaluator
 from linkwright.exports.process_simulate.angles import linkage
 from linkwright.exports.process_simulate.dialects import DIALECTS, Dialect
@@ -28,7 +29,6 @@ from linkwright.findings import Finding, Joined
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
-from linkwright.records import dataclass
 from linkwright.structure import HigherGroup
 
 DESIGNED, PROVEN = 720, 2000

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 from linkwright.structure import FRAME, Driven, Group, Structure
 
 

@@ -7,13 +7,13 @@ from dataclasses import field
 
 import numpy as np
 
+from linkwright.data_classes import dataclass
 from linkwright.exports.process_simulate.joints import ToolJoint
 from linkwright.exports.process_simulate.trees import Array, Tree, add, evaluate, joint, multiply, number
 from linkwright.exports.process_simulate.vectors import Angle, Arm, Vector
 from linkwright.findings import Finding, Joined, enumerated
 from linkwright.graph.geometry import Geometry
 from linkwright.notation import Pair
-from linkwright.records import dataclass
 from linkwright.structure import FRAME, Connection, Group, Structure, Wedge
 
 MM = 1000.0

@@ -13,6 +13,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.exports.process_simulate.joints import ToolJoint
 from linkwright.exports.process_simulate.linkage import Refused
 from linkwright.exports.process_simulate.motion import ToolMotion
@@ -25,7 +26,6 @@ from linkwright.graph.motion import solve_motion, solve_step
 from linkwright.groups import Dyad
 from linkwright.kernels import Compiled
 from linkwright.notation import Body, Jet, Pair, Scalar
-from linkwright.records import dataclass
 from linkwright.results.stationary import bracketed, crossings
 from linkwright.structure import Group, Structure, decompose
 

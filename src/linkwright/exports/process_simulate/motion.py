@@ -7,12 +7,12 @@ from dataclasses import field
 
 import numpy as np
 
+from linkwright.data_classes import dataclass
 from linkwright.exports.process_simulate.joints import ToolJoint
 from linkwright.exports.process_simulate.linkage import MM
 from linkwright.exports.process_simulate.reach import DriveReach
 from linkwright.exports.process_simulate.trees import Array
 from linkwright.kernels import Compiled
-from linkwright.records import dataclass
 from linkwright.results import Run
 from linkwright.structure import FRAME, Group, Structure
 from linkwright.studies.drive_sweep import sweeping

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
+from linkwright.data_classes import dataclass
 from linkwright.findings import Finding, Joined, Text
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
-from linkwright.records import dataclass
 from linkwright.studies.limits.extremes import touches
 from linkwright.studies.limits.ranges import Range, ranges
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import field
 
+from linkwright.data_classes import dataclass
 from linkwright.exports.process_simulate.trees import Tree, add, joint, multiply, number
-from linkwright.records import dataclass
 
 Size = Callable[[Tree], int]
 Start = Callable[[Tree], float]

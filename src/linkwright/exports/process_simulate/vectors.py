@@ -6,8 +6,8 @@ import cmath
 import math
 from collections.abc import Iterable, Mapping
 
+from linkwright.data_classes import dataclass
 from linkwright.exports.process_simulate.trees import ZERO, Tree, add, call, multiply, number
-from linkwright.records import dataclass
 
 TINY = 1e-13
 """An arm shorter than this share of the others is none."""

@@ -8,7 +8,7 @@ from dataclasses import field
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 from linkwright.report.data import LinkData
 from linkwright.report.mechanism_drawing.joints import HEIGHT, LENGTH, Guide, Side, in_cylinder
 from linkwright.report.mechanism_drawing.shapes import UNSEEN, hull, line, outline

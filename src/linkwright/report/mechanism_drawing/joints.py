@@ -7,7 +7,7 @@ from math import cos, inf, pi, sin
 
 import numpy as np
 
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 from linkwright.report.data import JointData, Scene
 from linkwright.report.mechanism_drawing.poses import Poses
 

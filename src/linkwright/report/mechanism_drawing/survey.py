@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 from linkwright.report.data import LinkData, Scene, Values
 from linkwright.report.mechanism_drawing.joints import Guide, Pin, guides_of, in_cylinder, pins_of
 from linkwright.report.mechanism_drawing.poses import Poses

@@ -15,7 +15,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 from linkwright.studies.accuracy.costs import CostLaw, Stepped
 
 Array = NDArray[np.float64]

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 
 Array = NDArray[np.float64]
 Model = Callable[[Array], tuple[Array, Array]]

@@ -7,10 +7,10 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.language import parse
 from linkwright.findings import Finding, Joined, Term
 from linkwright.measures import BoundMeasure
-from linkwright.records import dataclass
 from linkwright.studies.accuracy.clearance import PATH, Plays
 from linkwright.studies.accuracy.derivatives import Derivatives, Deviated
 from linkwright.studies.accuracy.options import AccuracyOptions

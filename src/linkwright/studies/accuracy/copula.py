@@ -16,8 +16,8 @@ from math import asin, pi, sin, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.findings import Finding, Joined
-from linkwright.records import dataclass
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
 
 Array = NDArray[np.float64]

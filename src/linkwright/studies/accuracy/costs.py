@@ -19,12 +19,12 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BeforeValidator, Discriminator, Tag, WithJsonSchema
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.fields import Interval
 from linkwright.expressions.fields import Frozen, fault
 from linkwright.expressions.written import plain_number, unexpected
 from linkwright.findings import Joined
 from linkwright.notation.registry import Registry
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 Slopes = tuple[float, float]

@@ -13,11 +13,11 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Node
 from linkwright.measures import BoundMeasure, Measurer, Probe, SignalInRun
 from linkwright.model.bound_window import BoundWindow
-from linkwright.records import dataclass
 from linkwright.reductions import Derivative, Local
 from linkwright.results import Run
 from linkwright.results.quadrature import gauss_points

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.findings import Said, Text
 from linkwright.presentation.json_numbers import known
-from linkwright.records import dataclass
 from linkwright.studies.accuracy.outcome import AccuracyOutcome, OutputDeviations, SignalDeviations
 
 Array = NDArray[np.float64]

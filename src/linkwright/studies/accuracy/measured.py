@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions import units as u
 from linkwright.expressions.dimensions import DimensionError, declared_scale
 from linkwright.expressions.fields import Expression
@@ -19,7 +20,6 @@ from linkwright.expressions.unknown import near
 from linkwright.findings import Finding, Joined, ModelError
 from linkwright.kernels import Compiled
 from linkwright.model.csv_file import finite, listed, read_csv
-from linkwright.records import dataclass
 from linkwright.results import Run
 from linkwright.results.stationary import bracketed
 from linkwright.studies.numbers import constant, positive

@@ -12,10 +12,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.findings import Finding
 from linkwright.kernels.kernel_selection import KernelChoice
 from linkwright.measures import BoundMeasure
-from linkwright.records import dataclass
 from linkwright.results import Run
 from linkwright.studies.accuracy import intervals
 from linkwright.studies.accuracy.contributors import Contributors

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, Text
 from linkwright.kernels import Compiled
-from linkwright.records import dataclass
 from linkwright.results import Result, Run
 from linkwright.results.dataset import Dataset, Variable, described, si_unit, times
 from linkwright.studies.accuracy.contributors import Contributors

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.unknown import unknown
@@ -12,7 +13,6 @@ from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.measures import BoundMeasure
 from linkwright.model.bound_window import BoundWindow
-from linkwright.records import dataclass
 from linkwright.reductions import Measure
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.cycle.options import span

@@ -9,13 +9,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.cam_contact import cam_followers
 from linkwright.elements.cam_contact.contact import seat, sense
 from linkwright.elements.clearance import AnyDirection, Axis, Known, Rows
 from linkwright.expressions.language import FUNCTIONS
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
-from linkwright.records import dataclass
 
 
 def rollers(compiled: Compiled) -> dict[str, str]:

@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model.tolerances import Spread, full_tolerance
-from linkwright.records import dataclass
 from linkwright.studies.accuracy.parameter_chain import derived
 from linkwright.studies.accuracy.stated_options import DeviationOptions
 from linkwright.studies.numbers import constant

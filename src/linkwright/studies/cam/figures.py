@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions import units as u
-from linkwright.records import dataclass
 
 Range = tuple[float, float]
 

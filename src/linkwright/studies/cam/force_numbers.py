@@ -9,11 +9,11 @@ from linkwright.cam.contact import ContactPlace
 from linkwright.cam.disc import Disc
 from linkwright.cam.hertz import STEEL, Material
 from linkwright.cam.loads import FollowerLoads
+from linkwright.data_classes import dataclass
 from linkwright.elements.cam_contact import cam_followers
 from linkwright.expressions import units as u
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.records import dataclass
 from linkwright.studies.cam.figures import along_lift, of_forces
 from linkwright.studies.cam.force_options import CamForces, CamMaterial
 from linkwright.studies.cam.stated_load import stated_load

@@ -13,7 +13,7 @@ from linkwright.cam.extremes import CamExtreme
 from linkwright.cam.hertz import Pressure, pressure, rolling
 from linkwright.cam.loads import CamForces, FollowerLoads, forces
 from linkwright.cam.springs import Sized, highest_speed, least_preload, least_rate
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 from linkwright.studies.cam.force_numbers import FollowerForces
 
 SHORT = 1e-6

@@ -15,8 +15,8 @@ from linkwright.cam.nc.posts import POSTS, Post
 from linkwright.cam.nc.preflight import faults, warnings
 from linkwright.cam.nc.proof import NCProof, prove
 from linkwright.cam.nc.reader import Move, NCFault, read
+from linkwright.data_classes import dataclass
 from linkwright.findings import Finding
-from linkwright.records import dataclass
 from linkwright.studies.cam.options import PATH
 
 AT = (*PATH, "nc")

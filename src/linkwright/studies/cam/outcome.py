@@ -11,11 +11,11 @@ from linkwright.cam.disc import TURN, Disc
 from linkwright.cam.extremes import CamExtreme
 from linkwright.cam.form_closure import Closing
 from linkwright.cam.sizing import Feasible
+from linkwright.data_classes import dataclass
 from linkwright.expressions import units as u
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.laws import Motion
-from linkwright.records import dataclass
 from linkwright.results import Result, Run
 from linkwright.studies.cam.figures import CamFigure
 from linkwright.studies.cam.forces import Pressed

@@ -9,13 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.cam.disc import DiscJets
+from linkwright.data_classes import dataclass
 from linkwright.drawing.charts import points
 from linkwright.drawing.plane import LEFT, TOP, PicturePlane
 from linkwright.escape import markup
 from linkwright.expressions import units as u
 from linkwright.findings import Said, Text
 from linkwright.presentation.lettering import FONT
-from linkwright.records import dataclass
 from linkwright.studies.cam.outcome import CamOutcome
 
 Array = NDArray[np.float64]

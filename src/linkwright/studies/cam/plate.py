@@ -17,9 +17,9 @@ from linkwright.cam.disc import TURN, Disc, DiscJets
 from linkwright.cam.extremes import CamExtreme, extremes
 from linkwright.cam.nc.path import Element
 from linkwright.cam.splines import Spline
+from linkwright.data_classes import dataclass
 from linkwright.findings import Term
 from linkwright.notation import Jet
-from linkwright.records import dataclass
 from linkwright.studies.cam.figures import SECOND
 from linkwright.studies.cam.milled_discs import Milled
 from linkwright.studies.cam.stated_dimensions import CamRequirements

@@ -14,12 +14,12 @@ from linkwright.cam.nc.job import MillingJob
 from linkwright.cam.nc.posts import POSTS
 from linkwright.cam.nc.preflight import faults
 from linkwright.cam.solid import Blank
+from linkwright.data_classes import dataclass
 from linkwright.expressions.typed_fields import Context, Sign
 from linkwright.expressions.unknown import unknown
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.model.walk import QuantityPlace, sites
-from linkwright.records import dataclass
 from linkwright.studies.cam.figures import FIGURES, OF_FACE, OF_ROLLER, SECOND, Range, closed_by, every, of_forces
 from linkwright.studies.cam.force_numbers import FollowerForces, available_figures, read
 from linkwright.studies.cam.milled_discs import as_finding

@@ -13,6 +13,7 @@ from linkwright.cam.contact import rows
 from linkwright.cam.disc import TURN, Disc, DiscJets, inside
 from linkwright.cam.extremes import STEPS, extremes
 from linkwright.cam.loads import Load, by_both
+from linkwright.data_classes import dataclass
 from linkwright.expressions import units as u
 from linkwright.expressions.dimensions import DimensionError, argument
 from linkwright.expressions.fields import Expression
@@ -25,7 +26,6 @@ from linkwright.model.names import Names
 from linkwright.model.places import ExpressionPlace, Scope
 from linkwright.model.quantities import LARGEST
 from linkwright.notation import Jet
-from linkwright.records import dataclass
 from linkwright.results.discontinuities import joins, knots, switches
 from linkwright.results.stationary import crossings
 from linkwright.studies.cam.force_options import ANGLE, LIFT, load_names

@@ -6,9 +6,9 @@ from dataclasses import field
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from linkwright.data_classes import dataclass
 from linkwright.findings import Finding
 from linkwright.measures import MeasureResult
-from linkwright.records import dataclass
 from linkwright.results import Result
 
 if TYPE_CHECKING:

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import parse
 from linkwright.expressions.units import ANGLE, TIME, Dimension
 from linkwright.measures.probe import Probe, Search
 from linkwright.measures.together import look_ahead, mean_squares
-from linkwright.records import dataclass
 from linkwright.reductions.figures import Peak
 from linkwright.results import Run
 from linkwright.results.windows import intervals

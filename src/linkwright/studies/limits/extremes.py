@@ -8,12 +8,12 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.language import Node
 from linkwright.expressions.units import Dimension
 from linkwright.graph.rows import Determinant, Span, reaches
 from linkwright.measures.features import features
 from linkwright.measures.probe import OneSidedLimits, Search
-from linkwright.records import dataclass
 from linkwright.results import Run
 from linkwright.results.run import BLIND
 from linkwright.results.stationary import magnitude, stationary

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.cylinder import links_of
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
-from linkwright.records import dataclass
 from linkwright.structure import FRAME
 from linkwright.structure.loops import Loop, loops_of_four
 from linkwright.studies.assembly_checks import TOUCH

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import field
 
+from linkwright.data_classes import dataclass
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.records import dataclass
 from linkwright.results import Result, Run
 from linkwright.studies.limits.extremes import ModeChange, SignalCourse, Transmission
 from linkwright.studies.limits.four_links import FourLinks

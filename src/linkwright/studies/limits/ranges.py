@@ -7,13 +7,13 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.cylinder import links_of
 from linkwright.expressions import units as u
 from linkwright.findings import Finding
 from linkwright.graph.rows import Determinant, ReachRow
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
-from linkwright.records import dataclass
 from linkwright.results import Run
 from linkwright.results.stationary import crossings
 from linkwright.structure import Group, HigherGroup

@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import field
 from typing import ClassVar
 
+from linkwright.data_classes import dataclass
 from linkwright.findings import Finding
 from linkwright.graph.mode_survey import Circuit, Survey
 from linkwright.graph.modes import Mode
 from linkwright.model.quantities import Quantities
-from linkwright.records import dataclass
 
 
 @dataclass

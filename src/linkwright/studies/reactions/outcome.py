@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import field
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding
 from linkwright.kernels.still import Still
-from linkwright.records import dataclass
 from linkwright.results import Result, Run
 
 

@@ -10,11 +10,11 @@ from math import prod
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.drawing.levels import band_stops, levels_of
 from linkwright.findings import Said
 from linkwright.presentation.blocks import Chart, Slider
 from linkwright.presentation.charts import Axis, Dots, Field, Graph, Layer, Limit, Line, Plane, Row, Spots
-from linkwright.records import dataclass
 from linkwright.studies.sweep.outcome import SweepOutcome
 
 Array = NDArray[np.float64]

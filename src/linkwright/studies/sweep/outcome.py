@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.blocks.work import Arrays
+from linkwright.data_classes import dataclass
 from linkwright.expressions.language import parse
 from linkwright.expressions.units import TIME, Dimension
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
-from linkwright.records import dataclass
 from linkwright.results import Result, Run
 from linkwright.results.dataset import Dataset, Variable, described, times, variable_of
 from linkwright.studies.figures import FigureColumn

@@ -8,9 +8,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.elements.clearance import Known, LooseJoint
 from linkwright.graph.rows import Named
-from linkwright.records import dataclass
 from linkwright.studies.accuracy.clearance_contacts import columns, named
 from linkwright.studies.accuracy.contributors import Contributors
 from linkwright.studies.workspace.farthest import farthest

@@ -17,9 +17,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.enclosures.angles import numbered
 from linkwright.enclosures.forms import AffineForm
-from linkwright.records import dataclass
 from linkwright.studies.workspace.places import ModePlaces
 
 Array = NDArray[np.float64]

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.kernels import Compiled
-from linkwright.records import dataclass
 from linkwright.studies.workspace.mesh import RIM, halved
 from linkwright.studies.workspace.sheet import ModeSheet
 

@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 from linkwright.results.stationary import bracketed
 from linkwright.studies.workspace.mesh import HALVINGS, RIM, Mesh, halved, numbered, sides_of
 from linkwright.studies.workspace.sheet import ModeSheet

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions import units as u
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.records import dataclass
 from linkwright.studies.workspace.certificate import Contradiction, RegionCertificate
 
 

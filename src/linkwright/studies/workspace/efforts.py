@@ -11,9 +11,9 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.kernels import KERNELS
 from linkwright.kernels.external_inputs import Supply
-from linkwright.records import dataclass
 from linkwright.studies.workspace.sheet import ModeSheet
 
 Array = NDArray[np.float64]

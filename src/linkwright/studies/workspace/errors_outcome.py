@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions import units as u
 from linkwright.findings import ModelError, raise_errors
 from linkwright.kernels import Compiled
-from linkwright.records import dataclass
 from linkwright.studies.accuracy.clearance import PATH as CLEARANCES
 from linkwright.studies.accuracy.clearance_options import check_clearances
 from linkwright.studies.accuracy.contributors import Contributors

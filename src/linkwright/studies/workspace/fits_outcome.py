@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions import units as u
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.records import dataclass
 from linkwright.studies.workspace.fit_options import PATH, RequiredFit, RequiredFits
 from linkwright.studies.workspace.fits import (
     FigureMargin,

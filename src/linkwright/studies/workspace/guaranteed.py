@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 from linkwright.studies.workspace import mesh as meshes
 from linkwright.studies.workspace.causes import Causes
 from linkwright.studies.workspace.coverage import covered

@@ -16,9 +16,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions import units as si
 from linkwright.findings import Finding
-from linkwright.records import dataclass
 from linkwright.results.stationary import bracketed, crossings
 from linkwright.studies.workspace.efforts import Efforts, efforts
 from linkwright.studies.workspace.path_continuation import NEWTON, SOLVED, SolutionTrack, divided, tracks

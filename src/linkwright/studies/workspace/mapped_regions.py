@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions import units as u
-from linkwright.records import dataclass
 from linkwright.studies.workspace.maps import Map, MapExtreme, Maps
 from linkwright.studies.workspace.outcome import Reached, Workspace
 from linkwright.studies.workspace.shapes import figures

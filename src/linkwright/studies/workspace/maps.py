@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright._machine import processors
+from linkwright.data_classes import dataclass
 from linkwright.expressions.units import Dimension
 from linkwright.kernels.threaded import pool
 from linkwright.model.quantities import Quantities
-from linkwright.records import dataclass
 from linkwright.results.stationary import bracketed
 from linkwright.studies.workspace.mesh import DriveBox, halves, sides_of
 

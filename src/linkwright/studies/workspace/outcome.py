@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.records import dataclass
 from linkwright.results import Result, Run
 from linkwright.studies.workspace.mesh import RIM, DriveBox
 from linkwright.studies.workspace.regions import Region

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.findings import Text
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import field
 from typing import Any
 
+from linkwright.data_classes import dataclass
 from linkwright.findings import Text
 from linkwright.presentation.blocks import Chart, Table
-from linkwright.records import dataclass
 from linkwright.studies.workspace import maps_report as maps
 from linkwright.studies.workspace.fits_report import fit_overlays, fit_tables
 from linkwright.studies.workspace.outcome import WorkspaceOutcome

@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.graph.rows import Determinant
 from linkwright.kernels import KERNELS
-from linkwright.records import dataclass
 from linkwright.results.stationary import bracketed
 from linkwright.studies.workspace.dead_point_crossing import box_left, bridge, curve
 from linkwright.studies.workspace.mesh import DriveBox

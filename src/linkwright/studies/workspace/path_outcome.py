@@ -10,12 +10,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions import units as u
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, ModelError, raise_errors
 from linkwright.kernels import Compiled
 from linkwright.presentation.json_numbers import known
-from linkwright.records import dataclass
 from linkwright.studies.workspace.inverse_kinematics import ServoLaw, Way, free, timed
 from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, in_units
 from linkwright.studies.workspace.path_options import WantedPath, WantedPaths, build_path, rate_of

@@ -17,13 +17,13 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.enclosures.forms import FEW, AffineForm
 from linkwright.enclosures.program import BOXES, Stage
 from linkwright.graph.inverse import DeterminantRow, DriveValue, Inverse, inverse
 from linkwright.graph.rows import Determinant, Radicand
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.registry import Kernel
-from linkwright.records import dataclass
 from linkwright.studies.workspace.mesh import DriveBox
 from linkwright.studies.workspace.platforms import Platforms, Sets
 from linkwright.studies.workspace.sheet import ModeSheet

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.enclosures.forms import AffineForm
 from linkwright.graph.inverse import Inverse
 from linkwright.notation.harmonics import MOST
-from linkwright.records import dataclass
 from linkwright.studies.workspace.platform import OnePlatform
 
 Array = NDArray[np.float64]

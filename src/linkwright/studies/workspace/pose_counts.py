@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 from linkwright.studies.workspace.curves import Segments
 from linkwright.studies.workspace.places import FOLD, LIMIT, MODES, ModePlaces
 from linkwright.studies.workspace.sheet import ModeSheet

@@ -11,13 +11,13 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions import units as u
 from linkwright.expressions.units import Dimension
 from linkwright.graph.rows import Determinant, reaches
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.kernel_selection import choose
 from linkwright.model.mechanism import Mechanism
-from linkwright.records import dataclass
 from linkwright.studies.workspace.curves import Segments
 from linkwright.studies.workspace.maps import Maps, mapped
 from linkwright.studies.workspace.mesh import DriveBox

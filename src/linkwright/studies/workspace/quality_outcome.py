@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions import units as u
 from linkwright.findings import CLAUSES, Joined, Said
-from linkwright.records import dataclass
 from linkwright.studies.workspace.mapped_regions import RegionMaps
 from linkwright.studies.workspace.mesh import DriveBox
 from linkwright.studies.workspace.outcome import Reached, Workspace

@@ -12,7 +12,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 from linkwright.studies.workspace import mesh as meshes
 from linkwright.studies.workspace.maps import Maps, evaluate_in_threads
 from linkwright.studies.workspace.regions import Region

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.graph.bound import farthest
-from linkwright.records import dataclass
 from linkwright.studies.workspace.border import border, polygons
 from linkwright.studies.workspace.cells import decided
 from linkwright.studies.workspace.certificate import Contradiction, RegionCertificate, certified

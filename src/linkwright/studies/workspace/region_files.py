@@ -21,11 +21,11 @@ from numpy.typing import NDArray
 from linkwright.blocks import Checkpoint
 from linkwright.blocks.checkpoint import unsaved
 from linkwright.blocks.packing import UnpackError, pack, unpack
+from linkwright.data_classes import dataclass
 from linkwright.findings import Finding, ModelError
 from linkwright.kernels.versions import versions
 from linkwright.model.origin import table_hashes
 from linkwright.model.output_files import make_folder
-from linkwright.records import dataclass
 from linkwright.studies.run_context import RunContext
 from linkwright.studies.workspace.assembly_signs import Signs
 from linkwright.studies.workspace.options import PATH, SECTIONS

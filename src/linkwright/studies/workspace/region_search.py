@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 from linkwright.studies.workspace.certificate import Contradiction
 from linkwright.studies.workspace.curves import Segments, Traced, smooth, traced
 from linkwright.studies.workspace.mesh import DriveBox, Mesh, found_pits, mesh

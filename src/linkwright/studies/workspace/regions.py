@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 from linkwright.studies.workspace.certificate import SEARCHED, UNPROVEN, RegionCertificate
 from linkwright.studies.workspace.curves import Segments
 from linkwright.studies.workspace.mesh import DriveBox, Mesh

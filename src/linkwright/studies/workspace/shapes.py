@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 
 THIN = 4.0
 """What is narrower than so many chord tolerances is where two boundaries are one, each drawn to its own chords."""

@@ -14,10 +14,10 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.graph.rows import Determinant, Named, reaches, spans
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.registry import Kernel
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]

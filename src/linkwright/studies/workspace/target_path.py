@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.expressions import units as u
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.language import (
@@ -33,7 +34,6 @@ from linkwright.laws import DEGREES
 from linkwright.model.csv_file import read_csv
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Jet
-from linkwright.records import dataclass
 from linkwright.studies.workspace.dxf_file import read_curve
 
 Array = NDArray[np.float64]

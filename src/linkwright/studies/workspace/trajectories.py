@@ -12,7 +12,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 from linkwright.studies.workspace.coupler_curve import CurveStretch
 from linkwright.studies.workspace.curves import distance
 from linkwright.studies.workspace.mesh import DriveBox, halved

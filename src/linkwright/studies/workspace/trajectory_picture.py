@@ -9,12 +9,12 @@ from zlib import crc32
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.drawing.charts import ticks
 from linkwright.drawing.colour_scale import colours
 from linkwright.drawing.plane import LEFT, WIDTH, PicturePlane, framed, heading
 from linkwright.escape import markup
 from linkwright.findings import Text
-from linkwright.records import dataclass
 
 Array = NDArray[np.float64]
 

@@ -12,10 +12,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.graph.rows import Determinant, Radicand
 from linkwright.kernels import KERNELS
 from linkwright.model.quantities import Quantities
-from linkwright.records import dataclass
 from linkwright.results.stationary import bracketed
 from linkwright.studies.workspace.mesh import DriveBox
 from linkwright.studies.workspace.sheet import ModeSheet

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.data_classes import dataclass
 from linkwright.laws import TableLaw
 from linkwright.notation import Jet
-from linkwright.records import dataclass
 from linkwright.studies.workspace.inverse_kinematics import ServoLaw
 
 Array = NDArray[np.float64]

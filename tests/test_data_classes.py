@@ -14,7 +14,7 @@ from typing import Any, ClassVar
 import numpy as np
 import pytest
 
-from linkwright.records import dataclass
+from linkwright.data_classes import dataclass
 
 Maker = Callable[..., Any]
 

@@ -20,7 +20,7 @@ class Listed(NamedTuple):
     section: str | None = None
 
 
-TABLE = {
+KIND_MODULES = {
     "belt": Listed("joint", "belt", "joints"),
     "cam": Listed("follower", "cam_contact.follower"),
     "counterweight": Listed("force", "counterweight"),
@@ -45,12 +45,12 @@ TABLE = {
 
 def of_contract(contract: Contract) -> dict[str, str]:
     """The modules of the kinds that have a contract, by name."""
-    return {name: _path(one) for name, one in TABLE.items() if one.contract == contract}
+    return {name: _path(one) for name, one in KIND_MODULES.items() if one.contract == contract}
 
 
 def chosen_in(section: str) -> dict[str, str]:
     """The modules of the kinds that a key chooses in a section, by name."""
-    return {name: _path(one) for name, one in TABLE.items() if one.section == section}
+    return {name: _path(one) for name, one in KIND_MODULES.items() if one.section == section}
 
 
 def _path(one: Listed) -> str:
