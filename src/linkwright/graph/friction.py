@@ -5,6 +5,10 @@ m_i = factor_i * sum |f_i(m)| + rest_i, the sum over its seats. Newton's method 
 zero in a few shares, in a fixed number of steps that are part of the program: every kernel runs them, and as the last
 step carries the derivatives of an implicit function, rates and sensitivities are exact. Whether the steps arrived, and
 whether the mechanism jams, is judged by :mod:`linkwright.results.jamming`, from the rows of the system.
+
+Most of the steps belong to the whole factors. The size of a force has a kink where the force passes through zero, and
+Newton's method goes to and fro across it before it converges; the shares only have to bring it near the solution that
+belongs to the motion.
 """
 
 from __future__ import annotations
@@ -26,8 +30,9 @@ if TYPE_CHECKING:
     from linkwright.graph.forces import Forces
     from linkwright.graph.view import View
 
-SHARES, STEPS = (0.25, 0.5, 0.75, 1.0), 3
-"""The shares of the factors in turn, and Newton's steps for each: one share and four steps serve far from jamming."""
+STEPS_AT_SHARE = {0.25: 1, 0.5: 1, 0.75: 1, 1.0: 9}
+"""The shares of the factors in turn, and Newton's steps for each. One share and four steps serve far from jamming and
+from forces that pass through zero."""
 SOLVED = 1e-9
 """Efforts whose laws miss by more than this share of their sum aren't a solution: they are NaN."""
 TINY = 1e-300
@@ -85,8 +90,8 @@ class FrictionSystem:
         m: list[Scalar] = [0.0 for _ in self.names]
         coulomb = any(self.loads) and any(not _zero(law.factor) for law in self.laws)
         sound: Scalar = 1.0
-        for share in SHARES if coulomb else (1.0,):
-            for _ in range(STEPS if coulomb else 1):
+        for share, steps in STEPS_AT_SHARE.items() if coulomb else ((1.0, 1),):
+            for _ in range(steps):
                 gaps, rows = self._linear(m, share)
                 m = [one - step for one, step in zip(m, Factor(rows).solve(gaps), strict=True)]
             sound = sound * (determinant(rows) > 0)
