@@ -14,30 +14,33 @@ import pytest
 from linkwright.elements.force import Resistance
 from linkwright.graph.friction import FrictionSystem
 
-STRETCH = 0.5
+STRETCH = 0.9
 """How much of a difference between efforts each law keeps, at most: the sum over all efforts stays below 1."""
 
 
 def random_system(random: np.random.Generator, near: float) -> FrictionSystem:
-    """Efforts of pins (one force of two parts) and guides (two seats of one part), with loads of the size ``near``:
-    the efforts' own rests move the forces across the kinks."""
+    """Efforts of pins (one force of two parts) and guides (two seats of one part). Where they obey their laws, all
+    forces of seats have the size ``near``: loads cancel what chosen efforts add, and rests make these the solution."""
     count = int(random.integers(2, 5))
     names = [f"f{i}" for i in range(count)]
+    efforts = random.normal(size=count)
     laws, loads, slopes = [], [], []
-    for _ in names:
+    for i in range(count):
         parts, seats = (2, 1) if random.random() < 0.5 else (1, 2)
         units = random.normal(size=(count, seats, parts))
         stretch = sum(float(np.hypot.reduce(seat)) for unit in units for seat in unit)
         factor = STRETCH / stretch * random.choice([-1.0, 1.0])
-        laws.append(Resistance(float(factor), float(random.normal())))
-        loads.append([tuple(near * random.normal(size=parts)) for _ in range(seats)])
+        forces = near * random.normal(size=(seats, parts))
+        pressing = sum(float(np.hypot.reduce(force)) for force in forces)
+        laws.append(Resistance(float(factor), float(efforts[i] - factor * pressing)))
+        loads.append([tuple(map(float, load)) for load in forces - np.tensordot(efforts, units, 1)])
         slopes.append([[tuple(map(float, seat)) for seat in unit] for unit in units])
     return FrictionSystem(names, laws, loads, slopes, {})
 
 
 def fixed_point(system: FrictionSystem) -> np.ndarray:
     efforts = np.zeros(len(system.names))
-    for _ in range(200):
+    for _ in range(500):
         new = np.empty_like(efforts)
         for i, law in enumerate(system.laws):
             pressing = 0.0
@@ -49,10 +52,10 @@ def fixed_point(system: FrictionSystem) -> np.ndarray:
     return efforts
 
 
-@pytest.mark.parametrize("near", [1e-6, 1e-3, 0.1, 1.0, 3.0])
+@pytest.mark.parametrize("near", [1e-6, 1e-3, 0.03, 0.3])
 def test_newton_arrives_at_the_fixed_point(near: float) -> None:
     random = np.random.default_rng(17)
-    for _ in range(40):
+    for _ in range(60):
         system = random_system(random, near)
         solved = [float(effort) for effort in system.solved()]
         assert not any(math.isnan(effort) for effort in solved)
