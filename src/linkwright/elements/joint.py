@@ -268,6 +268,8 @@ class JointKind(ABC):
     """What a file says of it; pins and slides have entries of their own."""
     orders: ClassVar[Mapping[str, int]] = {}
     """The derivatives of the motion that each of its signals needs."""
+    floating: ClassVar[bool] = False
+    """Whether it is no joint but a coordinate of a link that no joint places (:mod:`.floating`)."""
     phased: ClassVar[bool] = False
     """Whether the pose in which it is drawn fixes constants of its closure (:meth:`phase`)."""
     winds: ClassVar[bool] = False

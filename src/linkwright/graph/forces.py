@@ -270,7 +270,7 @@ class _Solver:
         for edge in reversed(step.edges):
             if edge.drive is not None:
                 self.drive(edge, solved.twists[edge.link])
-            else:
+            elif not edge.joint.kind.floating:  # closures alone hold a floating link
                 total = self.wrenches[edge.link]
                 self.hand_on(edge.joint, edge.link, total, total)
 

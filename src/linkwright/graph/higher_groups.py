@@ -185,7 +185,7 @@ def _fields(motion: Motion, step: HigherGroup) -> tuple[list[dict[str, Twist]], 
     A coordinate on a pin is the link's angle in the frame, so links pinned farther out keep theirs; links on a
     line, or held by a drive, turn with their base.
     """
-    twists = {e.link: outer_joint(motion, e.joint, e.link).twist(motion.bodies[e.link]) for e in step.edges}
+    twists = {e: outer_joint(motion, e.joint, e.link).twist(motion.bodies[e.link]) for e in step.edges}
     fields: list[dict[str, Twist]] = []
     # Walk along the tree from the known links outward; only links beyond the moved joint move.
     for own in step.free:
@@ -198,13 +198,13 @@ def _fields(motion: Motion, step: HigherGroup) -> tuple[list[dict[str, Twist]], 
             along = base.velocity(anchor)
             # The joint's own freedom comes on top of what its base does.
             if edge is own:
-                freedom = twists[edge.link]
+                freedom = twists[edge]
                 turn += freedom.turn
                 along = Pair(along.x + freedom.along.x, along.y + freedom.along.y)
             if edge is own or edge.base in field:
                 field[edge.link] = Twist(turn, anchor, along)
         fields.append(field)
-    return fields, twists
+    return fields, {edge.link: twist for edge, twist in twists.items()}
 
 
 def _slopes(motion: Motion, closures: Closures, fields: list[dict[str, Twist]]) -> list[list[Scalar]]:

@@ -6,7 +6,7 @@ links that are already known.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import field
 
 from linkwright.data_classes import dataclass
@@ -16,7 +16,7 @@ from linkwright.model.mechanism import Mechanism
 from linkwright.structure.placed import PlacedLinks
 from linkwright.structure.refusals import fixed_angles, immovable_outputs, redundant, unsolved
 from linkwright.structure.steps import Chain, Driven, Group, HigherGroup, LinkPlacement, Step, Structure, Wedge
-from linkwright.structure.topology import FREEDOMS, PIN, Connection, Topology
+from linkwright.structure.topology import FLOATING, FRAME, PIN, Connection, Topology
 
 
 @dataclass
@@ -153,7 +153,8 @@ class _GroupSearch(PlacedLinks):
         return not all(c.kind.places for c in (*self.topology.connections_of(link), *equations))
 
     def tree(self, part: tuple[str, ...]) -> HigherGroup | None:
-        """A placing order of the links, drives inside first; ``None`` where the links don't hang together."""
+        """A placing order of the links, drives inside first; a link that no joint places floats. ``None`` where the
+        closures are others than the coordinates, or the links don't hang together."""
         edges: list[LinkPlacement] = []
         placed = dict(self.known)
         driven = {joint: name for name, joint in self.joints.items()}
@@ -166,7 +167,12 @@ class _GroupSearch(PlacedLinks):
                 if c.kind.places and c.other(link) in placed
             ]
             if not options:
-                return None
+                if (floating := self.floating(todo, placed)) is None:
+                    return None
+                edges += [LinkPlacement(floating, c) for c in floating_coordinates(floating)]
+                placed[floating] = len(placed)
+                del todo[floating]
+                continue
             # A driven joint places its link for good; else outer joints keep the chains short.
             joint, link = min(options, key=lambda o: (o[0] not in driven, placed[o[0].other(o[1])]))
             drive = driven.get(joint)
@@ -175,8 +181,17 @@ class _GroupSearch(PlacedLinks):
             placed[link] = len(placed)
             del todo[link]
         closures = self.closures({*part}, edges)
-        free = sum(FREEDOMS - edge.joint.rows for edge in edges if edge.drive is None)
+        free = sum(edge.drive is None for edge in edges)
         return HigherGroup(tuple(edges), tuple(closures)) if free == sum(c.rows for c in closures) and free else None
+
+    def floating(self, todo: Collection[str], placed: Collection[str]) -> str | None:
+        """The first link that joints or drives without a joint tie to links placed before, though none places it."""
+        equations = [joint for joint in self.joints.values() if joint.kind.prescribed]
+        for link in todo:
+            ties = (*self.topology.connections_of(link), *(c for c in equations if link in c.links))
+            if any(other in placed for c in ties for other in c.links if other != link):
+                return link
+        return None
 
     def closures(self, part: set[str], edges: list[LinkPlacement]) -> list[Connection]:
         """The joints among the links and the known ones that the tree doesn't use."""
@@ -208,6 +223,11 @@ TWICE = "structure.redundant"
 
 _Side = tuple[str, Connection, Chain]
 """One side of a dyad: the link at the outer joint, that joint, the way to the link at the inner joint."""
+
+
+def floating_coordinates(link: str) -> list[Connection]:
+    """The coordinates of a floating link: the first counts in the frame, the others on what it is by then."""
+    return [Connection(f"{link}/{kind.name}", kind, FRAME if i == 0 else link, link) for i, kind in enumerate(FLOATING)]
 
 
 def _dyad(a: _Side, inner: Connection, b: _Side) -> Group | None:

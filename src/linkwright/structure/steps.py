@@ -192,7 +192,7 @@ class HigherGroup:
 
     @cached_property
     def links(self) -> tuple[str, ...]:
-        return tuple(edge.link for edge in self.edges)
+        return tuple(dict.fromkeys(edge.link for edge in self.edges))
 
     @property
     def signature(self) -> str:
