@@ -12,11 +12,11 @@ from dataclasses import field
 from linkwright.data_classes import dataclass
 from linkwright.findings import Finding, Joined, Term
 from linkwright.groups import REGISTRY
-from linkwright.model.mechanism import Mechanism
+from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.structure.placed import PlacedLinks
 from linkwright.structure.refusals import fixed_angles, immovable_outputs, redundant, unsolved
 from linkwright.structure.steps import Chain, Driven, Group, HigherGroup, LinkPlacement, Step, Structure, Wedge
-from linkwright.structure.topology import FLOATING, FRAME, PIN, Connection, Topology
+from linkwright.structure.topology import FLOATING, PIN, Connection, Topology
 
 
 @dataclass
