@@ -34,15 +34,6 @@ HELD = 1 << 14
 class _Joined(Corrector):
     """Newton on one higher group, from a prediction by the slopes of its closure equations."""
 
-    def __init__(self, graph: Graph, higher_group: HigherGroup, size: float, kernel: str) -> None:
-        super().__init__(graph, higher_group, size, kernel)
-        self.closure: Kernel = KERNELS[kernel](graph.program(graph.closure(higher_group)))
-
-    def closure_errors(self, x: Array, p: Array) -> tuple[Array, Array]:
-        """What the closures miss, (n, poses), and their slopes, (poses, n, n)."""
-        y, n = self.closure.run(x, p), self.n
-        return y[:n], y[n:].reshape(n, n, -1).transpose(2, 0, 1)
-
     def step(self, x: Array, p: Array, slopes: Array) -> tuple[Array, Array]:
         """Put the coordinates into the inputs, which hold those of poses nearby, where the ``slopes`` are known.
 
