@@ -97,6 +97,17 @@ class Span(GroupRow):
 
 
 @dataclass(frozen=True)
+class Apart(GroupRow):
+    """The square of the distance of a dyad's outer pins (:meth:`Dyad.apart`, m^2), 1 where these can't meet."""
+
+    called = "apart:{group}"
+
+    def expression(self, view: View) -> Scalar:
+        apart = view.motion.dyad(self.group)[0].apart()
+        return 1.0 if apart is None else apart
+
+
+@dataclass(frozen=True)
 class Radicand(GroupRow):
     """What stands under a dyad's root (m^2), where it has one; 1 elsewhere."""
 
@@ -167,6 +178,13 @@ def reaches(structure: Structure) -> list[ReachRow]:
 def spans(structure: Structure) -> list[Span]:
     """The spans of all groups that have one."""
     return [Span(group.label) for group in structure.groups if group.has_span]
+
+
+def change_rows(structure: Structure) -> list[ReachRow | Apart]:
+    """The rows whose double roots are the change points of dyads: the reaches of those with two modes, and the squares
+    of the distances of outer pins."""
+    pins = [Apart(group.label) for group in structure.groups if group.has_outer_pins]
+    return [*reaches(structure), *pins]
 
 
 def determinants(structure: Structure) -> list[Determinant]:

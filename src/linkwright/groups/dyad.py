@@ -122,6 +122,12 @@ class Dyad(ABC):
         """A distance (m) whose vanishing makes the pose vague while the normalised determinant doesn't show it."""
         return None
 
+    def apart(self) -> Scalar | None:
+        """The square of the distance (m^2) of the outer pins, where they may meet: with arms of one length, or a line
+        through both. There the inner joint may lie anywhere, and the two modes meet although the reach doesn't vanish.
+        ``None`` where that can't be."""
+        return None
+
     def radicand(self) -> Scalar | None:
         """What is under the root (m^2), negative where the group can't close: a polynomial of the known links' places,
         smooth where the outer pins meet, as the reach isn't. ``None`` where there is no root."""

@@ -52,5 +52,9 @@ class RPR(Dyad):
         """The distance of the outer pins: where they meet, the sliding line may point anywhere."""
         return pin(self.second).base.now.minus(pin(self.first).base.now).length
 
+    def apart(self) -> Scalar:
+        base = pin(self.second).base.now.minus(pin(self.first).base.now)
+        return base.dot(base)
+
     def scale(self, a: Body, b: Body) -> Scalar:
         return self.span()

@@ -43,6 +43,10 @@ class RRR(Dyad):
             return distance, r1 + r2
         return (distance, abs(r1 - r2)) if distance < abs(r1 - r2) * (1 - SLACK) else None
 
+    def apart(self) -> Scalar:
+        base = pin(self.second).base.now.minus(pin(self.first).base.now)
+        return base.dot(base)
+
     def radicand(self) -> Scalar:
         first, second = pin(self.first), pin(self.second)
         r1, r2 = self.inner.first.minus(first.foot).length, self.inner.second.minus(second.foot).length

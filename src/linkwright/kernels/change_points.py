@@ -25,6 +25,8 @@ SIDE = 8
 GAP = 0.25
 """Half the band's width over the distance of the farthest pose."""
 PROOF = np.array([-0.9, -0.6, 0.6, 0.9])
+COMPARED = 32
+"""Times on each side of a change point at which limits and closed forms are compared."""
 AT = 1e-9
 """What grows without bound has no value this near (over the same distance)."""
 
@@ -61,6 +63,12 @@ class Passage:
     def proof(self) -> Array:
         """Times in the band at which the closed forms still are good enough to prove the interpolation (s)."""
         return self.time + GAP * self.width * PROOF
+
+    @property
+    def compared(self) -> Array:
+        """Times in the outer half of the band, on both sides, at which limits and closed forms are compared (s)."""
+        side = np.linspace(0.5, 0.98, COMPARED)
+        return self.time + GAP * self.width * np.concatenate([-side[::-1], side])
 
     def inside(self, t: Array) -> NDArray[np.bool_]:
         """Which times lie in the band."""

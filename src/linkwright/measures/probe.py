@@ -17,6 +17,7 @@ from linkwright.measures.places import BreakPlaces, Hard, vague
 from linkwright.measures.search import turning
 from linkwright.measures.sides import Side, Sides
 from linkwright.notation import Jet
+from linkwright.notation.angles import whole_turns
 from linkwright.reductions import Peak
 from linkwright.results import Run
 from linkwright.results.discontinuities import ASIDE
@@ -99,6 +100,27 @@ class Search:
                 if before[1] or after[1]:
                     found.append(OneSidedLimits(hard.time, before[0], after[0]))
         return found
+
+    def passage_error(self, node: Node) -> float:
+        """How far an expression's limits in the bands of change points are from its closed forms, where both are good:
+        the digits that these lose near by."""
+        run, worst = self.run, 0.0
+        names = run.signals_of([node])
+        for passage in run.compiled.passages.every if names else ():
+            t = passage.compared
+            t = t[(t >= run.start) & (t <= run.stop)]
+            closed = run.compiled.closed_form_rows(names, t, rates=True).reshape(len(names), 2, t.size)
+            limits = run.rates(names, t)
+            for row, name in enumerate(names):
+                if run.compiled.graph.wrapped(name):
+                    closed[row, 0] += 2 * np.pi * whole_turns(closed[row, 0], limits[0][row])
+            both = (
+                run.combine(node, t, dict(zip(names, zip(*rows, strict=True), strict=True))).d[0]
+                for rows in (limits, (closed[:, 0], closed[:, 1]))
+            )
+            off = np.abs(np.subtract(*both))
+            worst = max(worst, float(off[np.isfinite(off)].max(initial=0.0)))
+        return worst
 
     def _passed(self, node: Node) -> list[OneSidedLimits]:
         """Change points through which the run is carried, where forces may grow without bound."""

@@ -143,6 +143,17 @@ class Reports:
             found.append((link, force, self.point_position(link, centre), -float(inertia) * self.rows[f"{link}.alpha"]))
         return found
 
+    def centrifugal(self) -> float:
+        """The largest of m v^2 and I omega^2 over the mechanism's size (N): the scale of what cancels where links with
+        mass turn evenly."""
+        largest = 0.0
+        for link in self.masses:
+            mass, _, inertia = self.geometry.mass(link)
+            speed, omega = np.hypot(*self.vector(f"com({link}).v")), self.rows[f"{link}.omega"]
+            energy = np.maximum(float(mass) * speed**2, float(inertia) * omega**2)
+            largest = max(largest, float(energy.max(initial=0.0)))
+        return largest / self.size()
+
     def acting(self) -> list[Applied]:
         """What springs, loads and the like do to all their links, from the reported poses and rates."""
         return [found for one in self.every for found in one.kind.applied(self, one.name, one.entry)]

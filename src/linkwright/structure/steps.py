@@ -117,6 +117,11 @@ class Group:
         """Whether it is a dyad whose pose is vague where a distance vanishes (:meth:`Dyad.span`)."""
         return REGISTRY[self.signature].span is not Dyad.span
 
+    @property
+    def has_outer_pins(self) -> bool:
+        """Whether it is a dyad whose outer pins may meet (:meth:`Dyad.apart`)."""
+        return REGISTRY[self.signature].apart is not Dyad.apart
+
     def rules(self, branch: float) -> list[tuple[str, str]]:
         """The ways in which a file states a branch, as point and rule; none where there is one mode only."""
         first, second = (c.joint for c in self.outer)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from linkwright.expressions import units as u
 from linkwright.findings import Finding, Joined, Term
 from linkwright.graph.assembly import shortfall_at, shortfall_data
-from linkwright.graph.rows import Determinant, Named, ReachRow, Span, reaches, spans
+from linkwright.graph.rows import Apart, Determinant, GroupRow, Named, ReachRow, change_rows
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
 from linkwright.results import Run
@@ -36,7 +36,7 @@ def unassembled(run: Run) -> list[Finding]:
     """Each interval of the run in which a group can't be assembled, by the group that fails first."""
     findings: list[Finding] = stuck(run)
     taken: list[tuple[float, float]] = [(f.data["start"], f.data["stop"]) for f in findings]
-    look_at(run, reaches(run.compiled.structure))
+    look_at(run, change_rows(run.compiled.structure))
     for group in run.compiled.structure.groups:
         if group.modes < 2:
             continue
@@ -105,6 +105,9 @@ def gaps(run: Run, row: ReachRow, ends: Sequence[float]) -> Iterator[tuple[float
     """
     t, reach = row_of(run, row, ends)
     bad = reach < -TOUCH
+    if bad.any():  # where the outer pins meet, the reach is 0/0
+        apart = run.compiled.evaluate([Apart(row.group)], t)[0]
+        bad &= apart > TOUCH * apart.max()
     edges = np.flatnonzero(np.diff(np.concatenate([[False], bad, [False]]).astype(int)))
     for first, after in edges.reshape(-1, 2):
         start = _edge(run, row, t[first], t[first - 1]) if first else run.start
@@ -166,18 +169,27 @@ def singular(run: Run, code: str = "motion.singular") -> list[Finding]:
     Poses through which the run is carried (``run.compiled.passages``) are none.
     """
     findings = []
-    groups = [group for group in run.compiled.structure.groups if group.modes > 1]
-    look_at(run, spans(run.compiled.structure))
-    for group in groups:
-        vague: list[float] = []
-        if group.has_span:
-            s, span = row_of(run, Span(group.label))
-            vague = [float(s[i]) for i in _lowest(span, SINGULAR * span.max())]
-        touches = [time for time, _ in touching(run, group.label) if not _passed(run, group.label, time)]
-        findings += [_singular(run, code, group.label, time, 0.0) for time in sorted({*touches, *vague})]
+    rows = change_rows(run.compiled.structure)
+    look_at(run, rows)
+    for group in run.compiled.structure.groups:
+        touches = {time for row in rows if row.group == group.label for time, _ in touching(run, row)}
+        times = sorted(time for time in touches if not _passed(run, group.label, time))
+        findings += [_singular(run, code, group.label, time, 0.0) for time in times]
     worst = None if findings else nearest(run)
     if worst is not None and not worst.determinant > SINGULAR:
         findings.append(_singular(run, code, worst.group, worst.time, worst.determinant))
+    return findings
+
+
+def singular_throughout(run: Run) -> list[Finding]:
+    """A finding for each dyad whose two modes coincide, or whose outer pins do, in all poses of the run: neither its
+    motion nor its forces are determined."""
+    findings, size = [], run.compiled.assembly.size()
+    for row in change_rows(run.compiled.structure):
+        _, values = row_of(run, row)
+        if values.size and (np.abs(values) <= TOUCH * (size**2 if isinstance(row, Apart) else 1.0)).all():
+            path = ("links", row.group.split("-")[0])
+            findings.append(Finding("motion.singular-throughout", path, {"group": row.group}))
     return findings
 
 
@@ -186,7 +198,7 @@ def near(run: Run) -> list[Finding]:
     found = []
     for group in run.compiled.structure.groups:
         if group.modes > 1:
-            times = [time for time, reach in touching(run, group.label, NEAR) if reach > TOUCH]
+            times = [time for time, reach in touching(run, ReachRow(group.label), NEAR) if reach > TOUCH]
             inner = [time for time in times if run.start < time < run.stop]
             found += [_near(run, group.label, time) for time in inner if not _passed(run, group.label, time)]
     return found
@@ -249,10 +261,12 @@ def _passed(run: Run, group: str, time: float) -> bool:
     return not run.compiled.passages.outside(np.array([time]), group)[0]
 
 
-def touching(run: Run, group: str, limit: float = TOUCH) -> list[tuple[float, float]]:
-    """Where a group's reach comes within a limit of zero: time and reach at the lowest place of each such stretch."""
-    t, reach = row_of(run, ReachRow(group))
-    return [(float(t[i]), float(reach[i])) for i in _lowest(reach, limit)]
+def touching(run: Run, row: GroupRow, limit: float = TOUCH) -> list[tuple[float, float]]:
+    """Where a reach, or a distance of outer pins over its largest, comes within a limit of zero: time and value at the
+    lowest place of each such stretch."""
+    t, values = row_of(run, row)
+    size = float(np.nanmax(values)) if isinstance(row, Apart) else 1.0
+    return [(float(t[i]), float(values[i]) / size) for i in _lowest(values, limit * size)]
 
 
 def _lowest(values: Array, limit: float) -> list[int]:

@@ -1,7 +1,8 @@
 """Carrying a motion through its change points: where they are, which branches change, how near is near.
 
-A change point is a double root of a group's reach, to its round-off. There the group's two modes meet, and the smooth
-motion goes over from one to the other: the root of the reach changes sign.
+A change point is a double root of a group's reach, to its round-off, or a pose in which its outer pins meet: a double
+root of the square of their distance. There the group's two modes meet, and the smooth motion goes over from one to the
+other: the root of the reach changes sign, or the direction from pin to pin does.
 """
 
 from __future__ import annotations
@@ -16,12 +17,12 @@ from linkwright.data_classes import dataclass
 from linkwright.expressions import units as u
 from linkwright.expressions.units import Dimension
 from linkwright.findings import CLAUSES, Finding, Joined, ModelError, Text, enumerated
-from linkwright.graph.rows import Named, ReachRow
+from linkwright.graph.rows import Apart, Named, ReachRow, change_rows
 from linkwright.kernels import Compiled
 from linkwright.kernels.change_points import GAP, Passage, Passages, unwrapped
 from linkwright.notation.angles import wrapped
 from linkwright.results import Run
-from linkwright.studies.assembly_checks import TOUCH, drive_value, touching
+from linkwright.studies.assembly_checks import TOUCH, drive_value, row_of, touching
 
 Array = NDArray[np.float64]
 
@@ -40,23 +41,31 @@ FORCE = 1e-8
 
 @dataclass(frozen=True)
 class _Touch:
-    """A group's reach touches zero at a time (s); to both sides of it, it grows over the ``room`` (s)."""
+    """A group's row touches zero at a time (s); to both sides of it, it grows over the ``room`` (s). Values below
+    ``floor`` are zero."""
 
-    group: str
+    row: ReachRow | Apart
     time: float
     at_start: bool
     room: float
+    floor: float
+
+    @property
+    def group(self) -> str:
+        return self.row.group
 
 
 def carry_through_change_points(run: Run) -> tuple[Run, list[Finding]]:
     """The run carried through all change points that it meets, and those through which it can't be."""
     touches: list[_Touch] = []
+    rows = change_rows(run.compiled.structure)
     for group in run.compiled.structure.groups:
-        if group.modes > 1:
-            here, failed = _carry_through_touches(run, touches, [ReachRow(group.label)])
+        own = [row for row in rows if row.group == group.label]
+        if own:
+            here, failed = _carry_through_touches(run, touches, own)
             if failed:
                 return here, failed
-            touches += _touches(here, group.label)
+            touches += [touch for row in own for touch in _touches(here, row)]
     signals = [s.text for s in run.compiled.quantities.signals.all() if s.attribute != "arm"]
     return _carry_through_touches(run, touches, signals)
 
@@ -86,19 +95,19 @@ def _finding(run: Run, code: str, passage: Passage, severity: str, **data: objec
     return Finding(code, path, data | drive_value(run, passage.time), severity=severity)
 
 
-def _touches(run: Run, group: str) -> list[_Touch]:
-    row, length = [ReachRow(group)], run.stop - run.start
-    found = []
-    for time, _ in touching(run, group):
+def _touches(run: Run, row: ReachRow | Apart) -> list[_Touch]:
+    length, found = run.stop - run.start, []
+    floor = TOUCH * (float(row_of(run, row)[1].max()) if isinstance(row, Apart) else 1.0)
+    for time, _ in touching(run, row):
         room, last = 1e-5 * length, 0.0
-        while room < length and (least := _least(run.compiled, row, time + np.array([-room, room]))) > last:
+        while room < length and (least := _least(run.compiled, [row], time + np.array([-room, room]))) > last:
             room, last = 1.25 * room, least
-        time = _polished(run.compiled, row, time, room / 64)
-        found.append(_Touch(group, time, time <= run.start + BEGIN * room, room))
+        time = _polished(run.compiled, [row], time, room / 64)
+        found.append(_Touch(row, time, time <= run.start + BEGIN * room, room, floor))
     return found
 
 
-def _least(compiled: Compiled, row: list[ReachRow], t: Array) -> float:
+def _least(compiled: Compiled, row: list[ReachRow | Apart], t: Array) -> float:
     """The least value of a row; NaN where a law has none."""
     try:
         return float(compiled.evaluate(row, t).min())
@@ -106,8 +115,8 @@ def _least(compiled: Compiled, row: list[ReachRow], t: Array) -> float:
         return float("nan")
 
 
-def _polished(compiled: Compiled, row: list[ReachRow], time: float, near: float) -> float:
-    """The time at which the reach's rate is zero; at the ends of the run that may be a trifle outside of it."""
+def _polished(compiled: Compiled, row: list[ReachRow | Apart], time: float, near: float) -> float:
+    """The time at which a row's rate is zero; at the ends of the run that may be a trifle outside of it."""
     from scipy.optimize import brentq
 
     def rate(t: float) -> float:
@@ -141,9 +150,8 @@ def _carry_through_touches(run: Run, touches: list[_Touch], names: Sequence[Name
     for i in range(len(passages)):
         for halving in range(HALVINGS):
             tried = replace(passages[i], width=passages[i].width / 2**halving)
-            poles = _settled(
-                run.compiled.with_passages(Passages((*passages[:i], tried, *passages[i + 1 :]))), tried, names
-            )
+            compiled = run.compiled.with_passages(Passages((*passages[:i], tried, *passages[i + 1 :])))
+            poles = _settled(compiled, tried, places[i], names)
             if poles is not None:
                 passages[i] = replace(tried, poles=poles)
                 break
@@ -153,14 +161,16 @@ def _carry_through_touches(run: Run, touches: list[_Touch], names: Sequence[Name
     return Run(compiled, run.start, run.stop, run.steps), failed
 
 
-def _settled(compiled: Compiled, passage: Passage, names: Sequence[Named]) -> dict[str, int] | None:
+def _settled(
+    compiled: Compiled, passage: Passage, touches: Sequence[_Touch], names: Sequence[Named]
+) -> dict[str, int] | None:
     """The signals that grow without bound and the power by which; ``None`` where the band doesn't hold."""
     t = passage.time + GAP * passage.width * np.array([-1.0, -0.5, 0.5, 1.0])
     try:
-        reach = compiled.closed_form_rows([ReachRow(group) for group in passage.groups], t)
-        if not reach.min() > TOUCH:
+        roots = compiled.closed_form_rows([touch.row for touch in touches], t)
+        if not (roots.min(axis=1) > [touch.floor for touch in touches]).all():
             return None
-        growth = np.log2(reach[:, [0, 3]] / reach[:, [1, 2]])  # fourfold at twice the time
+        growth = np.log2(roots[:, [0, 3]] / roots[:, [1, 2]])  # fourfold at twice the time
         if np.abs(growth - 2).max() > 0.5:
             return None
         return _proven(compiled, passage, names, len(passage.groups))

@@ -13,7 +13,7 @@ from linkwright.kernels import Compiled
 from linkwright.measures import Measurer, enclose, misfit
 from linkwright.presentation.blocks import FileOf, StudyReport
 from linkwright.results import Result, Run, certify
-from linkwright.studies.assembly_checks import near, singular, strokes, travels, unassembled
+from linkwright.studies.assembly_checks import near, singular, singular_throughout, strokes, travels, unassembled
 from linkwright.studies.change_point_carry import carry_through_change_points, warnings
 from linkwright.studies.cycle.options import CycleOptions, span
 from linkwright.studies.cycle.outcome import CycleOutcome
@@ -58,6 +58,8 @@ class Cycle(Study):
         """Follow the motion, prove it, take the measures."""
         stop, _ = span(compiled, options)
         run = Run(compiled, 0.0, stop, options.samples)
+        if always := singular_throughout(run):
+            return CycleOutcome(Result(run, always))
         code = "motion.singular"
         if options.through == "keep":
             code = "motion.cannot-carry"

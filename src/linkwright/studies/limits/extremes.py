@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import partial
+from functools import cached_property, partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,13 +11,13 @@ from numpy.typing import NDArray
 from linkwright.data_classes import dataclass
 from linkwright.expressions.language import Node
 from linkwright.expressions.units import Dimension
-from linkwright.graph.rows import Determinant, Span, reaches
+from linkwright.graph.rows import Apart, Determinant, change_rows
 from linkwright.measures.features import features
 from linkwright.measures.probe import OneSidedLimits, Search
 from linkwright.results import Run
 from linkwright.results.run import BLIND
-from linkwright.results.stationary import magnitude, stationary
-from linkwright.studies.assembly_checks import SINGULAR, TOUCH
+from linkwright.results.stationary import NOISE, magnitude, stationary
+from linkwright.studies.assembly_checks import TOUCH
 from linkwright.studies.drive_sweep import NEAR, Sweep
 
 Array = NDArray[np.float64]
@@ -34,6 +34,18 @@ RUNS = 1e3
 """A signal that is so many times its usual size at ``NEAR`` runs away with a slide."""
 GROWS = 50.0
 """... by this factor: 1/sqrt(t) grows by 100."""
+
+
+STANDS = 1e-11
+"""A signal that changes by less than this share of its size stays the same but for round-off."""
+NEXT = 1e-3
+"""An end of a run is near where it is within this share of it."""
+BESIDE = 1e-4
+"""Limits are taken from values at multiples of this share of the run from a place ..."""
+EXTRAPOLATE = np.array([4.0, -6.0, 4.0, -1.0])
+"""... with these weights: a cubic through four of them."""
+PROPORTIONAL = 0.2
+"""A rate at twice a distance over that at once, less than this from 2, is in proportion to the distance."""
 
 
 @dataclass(frozen=True)
@@ -140,20 +152,20 @@ def _usual(rows: Array) -> Array:
 
 
 def touches(run: Run) -> list[ModeChange]:
-    """The change points of a run: where the reach of a group touches zero, or its two outer pins meet."""
-    closing = reaches(run.compiled.structure)
-    apart = [Span(row.group) for row in closing]
-    if not closing:
+    """The change points of a run: where the reach of a group touches zero, or its two outer pins meet; and those
+    through which it is carried."""
+    rows, passages = change_rows(run.compiled.structure), run.compiled.passages
+    if not rows:
         return []
-
-    places, found = turning(run, partial(run.compiled.rates, [*closing, *apart])), []
-    spans = np.abs(run.compiled.evaluate(apart, run.place(np.linspace(0, 1, 65))[0]))
-    for i, rows in enumerate(zip(closing, apart, strict=True)):
-        times = np.union1d(places[i], places[len(closing) + i])
-        reach, span = np.abs(run.compiled.evaluate(rows, times))
-        meet = (reach <= TOUCH) | (span <= SINGULAR * spans[i].max())
-        found += [ModeChange(rows[0].group, float(time)) for time in times[meet]]
-    return found
+    found = [ModeChange(group, p.time) for p in passages.every for group in p.groups if run.start <= p.time <= run.stop]
+    places = turning(run, partial(run.compiled.rates, rows))
+    usual = np.abs(run.compiled.evaluate(rows, run.place(np.linspace(0, 1, 65))[0])).max(axis=1)
+    for row, times, size in zip(rows, places, usual, strict=True):
+        times = times[passages.outside(times, row.group)]
+        values = np.abs(run.compiled.evaluate([row], times)[0])
+        meet = values <= TOUCH * (size if isinstance(row, Apart) else 1.0)
+        found += [ModeChange(row.group, float(time)) for time in times[meet]]
+    return sorted(found, key=lambda change: change.time)
 
 
 def transmission(run: Run, flat: Sequence[tuple[str, float]] = ()) -> list[Transmission]:
@@ -219,6 +231,12 @@ class _Course:
     def values(self, t: Array) -> Array:
         return np.array(self.run.jets(self.node, t).d[0])
 
+    @cached_property
+    def usual(self) -> float:
+        """The largest finite magnitude at a few times all over the run."""
+        values = np.abs(self.values(self.run.place(np.linspace(0.0, 1.0, 33))[0]))
+        return float(values[np.isfinite(values)].max(initial=0.0))
+
     def read(self, name: str, dimension: Dimension) -> SignalCourse:
         run = self.run
         inner = self.values(self.times)
@@ -238,6 +256,8 @@ class _Course:
             return SignalCourse(name, dimension, nowhere, nowhere, ())
         low, high = (int(pick(values)) for pick in (np.argmin, np.argmax))
         reversals = self.reversals(inner) if dimension.time == 0 else ()  # a rate has no dead centres
+        if dimension.time == 0 and not isinstance(run, Sweep):
+            reversals = self.with_ends(reversals)
         turns = round(float(ends[1] - ends[0]) / (2 * np.pi)) if self.full and np.isfinite(ends).all() else 0
         turns = turns if dimension.angle == 1 and dimension.physical == Dimension() else 0
         return SignalCourse(
@@ -251,15 +271,18 @@ class _Course:
         )
 
     def seams(self) -> tuple[Array, Array]:
-        """Times and values beside the change points, and right there where the value goes through."""
+        """Times of the change points and the limits of the value from both sides, as far as the run goes there."""
         run = self.run
-        aside = 3 * BLIND * (run.stop - run.start)
-        times = np.array([[t, t - aside, t + aside] for t in run.change_points]).reshape(-1, 3)
-        times = np.clip(times, run.start, run.stop)
-        values = self.values(times.ravel()).reshape(-1, 3)
-        jumps = np.abs(values[:, 1:] - values[:, :1]).max(axis=1) > 1e-3 * np.abs(values).max(initial=1e-300)
-        values[jumps, 0] = np.nan
-        return times.ravel(), values.ravel()
+        times, limits = [], []
+        for time in run.change_points:
+            for side in (-1.0, 1.0):
+                t = time + side * BESIDE * (run.stop - run.start) * np.arange(1, EXTRAPOLATE.size + 1)
+                if run.start <= t[-1] <= run.stop:
+                    times.append(time)
+                    values = self.values(t)
+                    limit = float(EXTRAPOLATE @ values)
+                    limits.append(0.0 if abs(limit) < STANDS * self.usual else limit)
+        return np.array(times), np.array(limits)
 
     def limit(self, run: Sweep, side: int) -> float:
         """The value at a dead end; infinite where it grows without limit towards it."""
@@ -278,17 +301,61 @@ class _Course:
         return value if np.isfinite(value) else nearer
 
     def reversals(self, values: Array) -> tuple[Reversal, ...]:
-        """Where the signal turns round; once for the two ends of a full turn."""
+        """Where the signal turns round; once for the two ends of a full turn. Where it stays the same but for round-off
+        it doesn't turn."""
         run, length = self.run, self.run.stop - self.run.start
-        edges = np.concatenate([[run.start], self.times, [run.stop]])
         found: list[Reversal] = []
-        for i, (time, value) in enumerate(zip(self.times.tolist(), values.tolist(), strict=True)):
+        for time, value in zip(self.times.tolist(), values.tolist(), strict=True):
             if self.full and run.stop - time < SAME * length and found and found[0].time - run.start < SAME * length:
                 continue
-            before = edges[i] if time - edges[i] > SAME * length else time - 1e-3 * length
-            earlier = float(self.values(np.array([(before + time) / 2]))[0])
-            found.append(Reversal(value, time, earlier < value))
+            beside = [self.beside(time, side) for side in (-1.0, 1.0)]
+            known = [place for place in beside if place is not None]
+            aside = self.values(np.array(known)) - value
+            if not (np.abs(aside) <= STANDS * self.usual).any():
+                before = beside[0] if beside[0] is not None else (run.start + time) / 2
+                found.append(Reversal(value, time, float(self.values(np.array([before]))[0]) < value))
         return tuple(found)
+
+    def beside(self, time: float, side: float) -> float | None:
+        """A time before (``side`` -1) or after (1) a turning point: half way to the next turning point, change point or
+        end; ``None`` where an end is so near that the value hardly changes up to it."""
+        run, length = self.run, self.run.stop - self.run.start
+        places = np.concatenate([self.times, run.change_points])
+        ahead = side * (places - time)
+        ahead = ahead[ahead > SAME * length]
+        if ahead.size:
+            return time + side * float(ahead.min()) / 2
+        end = run.start if side < 0 else run.stop
+        if abs(end - time) > NEXT * length:
+            return (end + time) / 2
+        passable = isinstance(run, Sweep) and not run.dead[int(side > 0)]
+        return time + side * NEXT * length if passable else None
+
+    def with_ends(self, reversals: tuple[Reversal, ...]) -> tuple[Reversal, ...]:
+        """The reversals of a motion with those right at its start and end: there a drive moves, the signal's rate
+        vanishes and grows in proportion to the time from there, so that it changes sign. Where the motion ends in the
+        pose in which it starts, one of both."""
+        run, ends = self.run, []
+        for edge, inward in ((run.start, 1.0), (run.stop, -1.0)):
+            near = edge + inward * BESIDE * (run.stop - run.start) * np.arange(3)
+            jet = run.jets(self.node, near)
+            rate = np.asarray(jet.d[1])
+            largest = float(np.abs(run.jets(self.node, run.t).d[1]).max(initial=0.0))
+            drives = [abs(float(np.broadcast_to(law(near[:1]).d[1], (1,))[0])) for law in run.compiled.laws.values()]
+            still = abs(rate[0]) <= NOISE * largest < abs(rate[1]) and max(drives) > 0
+            if still and abs(rate[2] / rate[1] - 2.0) < PROPORTIONAL and run.clear(near[:1]).all():
+                ends.append(Reversal(float(jet.d[0][0]), edge, bool(inward * rate[1] < 0)))
+        tiny = SAME * (run.stop - run.start)
+        inner = tuple(r for r in reversals if run.start + tiny < r.time < run.stop - tiny)
+        first = tuple(end for end in ends if end.time == run.start)
+        last = tuple(end for end in ends if end.time == run.stop and not (first and self.returns()))
+        return (*first, *inner, *last)
+
+    def returns(self) -> bool:
+        """Whether the motion ends in the pose in which it starts."""
+        run = self.run
+        poses = run.compiled.evaluate(run.compiled.graph.pose_rows, np.array([run.start, run.stop]))
+        return bool(np.abs(poses[:, 1] - poses[:, 0]).max() < 1e-6 * max(run.compiled.assembly.size(), 1.0))
 
     def strokes(self, reversals: tuple[Reversal, ...]) -> Strokes | None:
         """The two strokes of an output that turns round twice in a full turn of the drive."""

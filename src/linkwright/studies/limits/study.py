@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Annotated
 
+import numpy as np
 from pydantic import Field, PrivateAttr, ValidationInfo, model_validator
 
 from linkwright.elements.fields import Interval, freeze
@@ -21,7 +22,8 @@ from linkwright.kernels.laws import values_at
 from linkwright.model.places import Path
 from linkwright.presentation.blocks import StudyReport
 from linkwright.results import Run
-from linkwright.studies.assembly_checks import overrun, unassembled
+from linkwright.studies.assembly_checks import overrun, singular_throughout, unassembled
+from linkwright.studies.change_point_carry import carry_through_change_points
 from linkwright.studies.cycle.options import CycleOptions, beside, span
 from linkwright.studies.drive_sweep import Sweep
 from linkwright.studies.limits.extremes import Signals, courses, touches, transmission
@@ -111,7 +113,10 @@ def _stretch(
 ) -> RunLimits:
     """What a run comes to. ``ends``: groups that are stretched or folded at its ends, and when."""
     meeting = touches(run)
-    run.change_points = tuple(touch.time for touch in meeting)
+    carried = run.compiled.passages
+    run.change_points = tuple(
+        touch.time for touch in meeting if carried.outside(np.array([touch.time]), touch.group).all()
+    )
     flat = [*((touch.group, touch.time) for touch in meeting), *ends]
     return RunLimits(run, courses(run, signals, full, forward), transmission(run, flat), meeting)
 
@@ -129,8 +134,11 @@ def _follow(outcome: LimitsOutcome, cycle: CycleOptions, signals: Signals) -> No
     stop, findings = span(outcome.compiled, cycle)
     if findings:
         return
-    run = Run(outcome.compiled, 0.0, stop, max(cycle.samples, outcome.samples))
-    if gaps := [*unassembled(run)] or [*_too_far(run)]:
+    run, kept = Run(outcome.compiled, 0.0, stop, max(cycle.samples, outcome.samples)), []
+    always = singular_throughout(run)
+    if cycle.through == "keep" and not always:
+        run, kept = carry_through_change_points(run)
+    if gaps := always or kept or [*unassembled(run)] or [*_too_far(run)]:
         outcome.warnings += [replace(gap, severity="warning") for gap in gaps]
     else:
         outcome.motion = _stretch(run, signals)

@@ -79,6 +79,12 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "Otherwise guide the links with a third crank or a drive, change the lengths, or keep the motion away from "
         "this position.",
     ),
+    "motion.singular-throughout": (
+        "{group} is in a singular position in all poses of the motion: its two assembly modes coincide everywhere, so "
+        "its rates and forces are undefined.",
+        "Change a length or a distance of the joints, so that the links aren't in line with their guides all the time; "
+        "or replace one of the joints by a rigid connection and let another one slide.",
+    ),
     "motion.cannot-carry": (
         "At t = {time} s ({drive} = {value} {unit}) {group} is in a singular position through which the motion can't "
         "be continued: the neighbouring poses don't define its limit.",
