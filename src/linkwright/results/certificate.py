@@ -243,7 +243,7 @@ SCATTERED = 7
 
 def scattered(run: Run) -> Array:
     """A few times (s) that share no step with the motion: equal steps may all meet the same singular pose."""
-    return run.start + (run.stop - run.start) * np.mod(GOLDEN * np.arange(1, SCATTERED + 1), 1.0)
+    return np.asarray(run.start + (run.stop - run.start) * np.mod(GOLDEN * np.arange(1, SCATTERED + 1), 1.0))
 
 
 def rank(r: Reports) -> int:

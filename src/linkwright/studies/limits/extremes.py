@@ -276,7 +276,7 @@ class _Course:
         times, limits = [], []
         for time in run.change_points:
             for side in (-1.0, 1.0):
-                t = time + side * BESIDE * (run.stop - run.start) * np.arange(1, EXTRAPOLATE.size + 1)
+                t = np.asarray(time + side * BESIDE * (run.stop - run.start) * np.arange(1, EXTRAPOLATE.size + 1))
                 if run.start <= t[-1] <= run.stop:
                     times.append(time)
                     values = self.values(t)
@@ -337,7 +337,7 @@ class _Course:
         pose in which it starts, one of both."""
         run, ends = self.run, []
         for edge, inward in ((run.start, 1.0), (run.stop, -1.0)):
-            near = edge + inward * BESIDE * (run.stop - run.start) * np.arange(3)
+            near = np.asarray(edge + inward * BESIDE * (run.stop - run.start) * np.arange(3))
             jet = run.jets(self.node, near)
             rate = np.asarray(jet.d[1])
             largest = float(np.abs(run.jets(self.node, run.t).d[1]).max(initial=0.0))

@@ -134,11 +134,11 @@ def _follow(outcome: LimitsOutcome, cycle: CycleOptions, signals: Signals) -> No
     stop, findings = span(outcome.compiled, cycle)
     if findings:
         return
-    run, kept = Run(outcome.compiled, 0.0, stop, max(cycle.samples, outcome.samples)), []
-    always = singular_throughout(run)
-    if cycle.through == "keep" and not always:
-        run, kept = carry_through_change_points(run)
-    if gaps := always or kept or [*unassembled(run)] or [*_too_far(run)]:
+    run = Run(outcome.compiled, 0.0, stop, max(cycle.samples, outcome.samples))
+    refused = singular_throughout(run)
+    if cycle.through == "keep" and not refused:
+        run, refused = carry_through_change_points(run)
+    if gaps := refused or [*unassembled(run)] or [*_too_far(run)]:
         outcome.warnings += [replace(gap, severity="warning") for gap in gaps]
     else:
         outcome.motion = _stretch(run, signals)
