@@ -24,6 +24,10 @@ NEAR = 1e-6
 """The share of a sweep at its end in which a slide that runs away leaves few digits."""
 FAR = 1e4
 """A slide that is out so many times the mechanism's size where its path ends has run away."""
+FOLD = 2e-4, 0.01
+"""Signals at an end where a higher group folds come from poses between these shares of the sweep away from it ..."""
+FOLD_POINTS, FOLD_DEGREE = 24, 10
+"""... by polynomials of this degree."""
 EDGE = 0.02
 """How far a search looks past an end at which the motion may go on, so that a root right there is found."""
 
@@ -139,13 +143,41 @@ class Sweep(Run):
         off by the root of the round-off, the other by as much the other way."""
         time = np.array([(self.start, self.stop)[side]])
         values, end, assembly = self.evaluate(names, time), self.stops[side], self.compiled.assembly
-        if end is None or end.dyad is None or self.compiled.followers:
+        if end is not None and not end.pole and (end.dyad is None or self.compiled.followers):
+            return self._folded(names, side, values)
+        if end is None or end.dyad is None:
             return values
         branches = {**assembly.branches, end.dyad: -assembly.branches[end.dyad]}
         other = replace(self.compiled, assembly=replace(assembly, branches=branches)).evaluate(names, time)
         turning = [self.compiled.graph.wrapped(name) for name in names]
         other[turning] += 2 * np.pi * whole_turns(other[turning], values[turning])
         return np.asarray((values + other) / 2)
+
+    def _folded(self, names: Sequence[str], side: int, known: Array) -> Array:
+        """Signals at an end where a higher group folds, which is known to some 1e-9 of the sweep: signals lose the root
+        of that. Over a coordinate that moves on at the end, the drive's value has its extreme there, and all signals
+        are smooth; ``known`` where none does so."""
+        length, inward = self.stop - self.start, 1.0 - 2.0 * side
+        edge = (self.start, self.stop)[side]
+        # Chebyshev points of the root of the distance from the end, away from where the group loses digits.
+        low, high = (np.sqrt(share * length) for share in FOLD)
+        points = np.cos(np.pi * (np.arange(FOLD_POINTS) + 0.5) / FOLD_POINTS)
+        distance = ((high + low) / 2 - (high - low) / 2 * points) ** 2
+        t = np.asarray(edge + inward * distance)
+        poses, rows = self.compiled.evaluate(self.compiled.graph.pose_rows, t), self.evaluate(names, t)
+        sizes = np.tile([self.compiled.assembly.size()] * 2 + [1.0] * 2, len(poses) // 4)
+        guide = poses[int(np.argmax(np.abs(poses[:, 1] - poses[:, 0]) / sizes))]
+        steps = np.sign(np.diff(guide))
+        if not np.isfinite(rows).all() or steps[0] == 0 or (steps != steps[0]).any():
+            return known
+        # Where the distance has its minimum over the guiding coordinate the mechanism folds.
+        share = (guide - guide[0]) / (guide[-1] - guide[0])
+        slope = np.polynomial.Chebyshev.fit(share, distance, FOLD_DEGREE).deriv()
+        bottom = [float(r.real) for r in slope.roots() if abs(r.imag) < 1e-6 and -1.0 < r.real <= float(share[1])]
+        if not bottom:
+            return known
+        limits = [np.polynomial.Chebyshev.fit(share, row, FOLD_DEGREE)(max(bottom)) for row in rows]
+        return np.array(limits)[:, None]
 
     def _track(self, name: str) -> tuple[Array, Array]:
         """Angles are those of the motion's start where the sweep holds it, not those of the sweep's own start."""

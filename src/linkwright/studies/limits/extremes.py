@@ -36,6 +36,9 @@ GROWS = 50.0
 """... by this factor: 1/sqrt(t) grows by 100."""
 
 
+VAGUE = 1e-5
+"""Where the normalised determinant of a higher group is below this, the last digits of the dimensions decide where its
+links are: what turns there says nothing of the mechanism."""
 STANDS = 1e-11
 """A signal that changes by less than this share of its size stays the same but for round-off."""
 NEXT = 1e-3
@@ -44,6 +47,8 @@ BESIDE = 1e-4
 """Limits are taken from values at multiples of this share of the run from a place ..."""
 EXTRAPOLATE = np.array([4.0, -6.0, 4.0, -1.0])
 """... with these weights: a cubic through four of them."""
+FOLDED = 1e-9
+"""Where a higher group folds, values below this share of the usual ones are zero."""
 PROPORTIONAL = 0.2
 """A rate at twice a distance over that at once, less than this from 2, is in proportion to the distance."""
 
@@ -205,13 +210,21 @@ def courses(run: Run, signals: Signals, full: bool = False, forward: bool = True
         # At unit speed of the drive, rates are of the size of what moves.
         size = run.compiled.graph.size
         scales = [size**d.length if d.mass == 0 else 0.0 for _, d in signals.values()]
-        places = turning(run, partial(run.all_rates, trees), scales)
+        places = [_definite(run, times) for times in turning(run, partial(run.all_rates, trees), scales)]
         broken = Search(run, [tree for tree in trees if features(tree, run.compiled.quantities.signals.find)])
         found = []
         for (name, (node, dimension)), times in zip(signals.items(), places, strict=True):
             limits = broken.limits(node) if node in broken.trees else []
             found.append(_Course(run, node, times, full, forward, limits).read(name, dimension))
     return found
+
+
+def _definite(run: Run, times: Array) -> Array:
+    """The times at which no higher group is vague."""
+    rows = [Determinant(group.label) for group in run.compiled.structure.higher_groups]
+    if not rows or not times.size:
+        return times
+    return np.asarray(times[(np.abs(run.compiled.evaluate(rows, times)) > VAGUE).all(axis=0)])
 
 
 @dataclass
@@ -298,6 +311,8 @@ class _Course:
         time = np.array([(run.start, run.stop)[side]])
         rows = {name: (row, np.zeros(1)) for name, row in zip(names, run.settled(names, side), strict=True)}
         value = float(run.combine(self.node, time, rows).d[0][0])
+        if stop is not None and stop.dyad is None and abs(value) < FOLDED * usual:
+            return 0.0
         return value if np.isfinite(value) else nearer
 
     def reversals(self, values: Array) -> tuple[Reversal, ...]:
