@@ -69,7 +69,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "将 {drive} 的运动规律限制在 {value} {unit} 的一侧，或使驱动作用于其他运动副。",
     ),
     "motion.singular": (
-        "在 t = {time} s（{drive} = {value} {unit}）时，杆组 {group} 到达奇异位形，即转折点或死点（行列式为 {determinant}）："
+        "在 t = {time} s（{drive} = {value} {unit}）时，杆组 {group} 到达奇异位形，即变点或死点（行列式为 {determinant}）："
         "运动可沿两种方式继续，速度和力在该处没有定义。",
         "若运动应平滑通过（例如平行四边形机构保持为平行四边形），在 studies: cycle 中写 through: keep；否则用第三个曲柄或驱动引导构件，"
         "修改长度，或使运动避开该位置。",
@@ -83,16 +83,16 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "使驱动平滑地通过该位置，不停顿且加速度不突变；载荷在该处也应平滑，不出现时间窗的端点或表的折点。或改变长度或驱动的范围，避开该位置。",
     ),
     "motion.starts-at-change-point": (
-        "运动从杆组 {group} 的转折点开始（t = {time} s，{drive} = {value} {unit}），该处两种装配模式重合。规则“{rules}”选定了运动继续时的装配模式。",
+        "运动从杆组 {group} 的变点开始（t = {time} s，{drive} = {value} {unit}），该处两种装配模式重合。规则“{rules}”选定了运动继续时的装配模式。",
         "对照图样检查这是否为所需的运动，或从其他位姿开始。",
     ),
     "motion.unbounded-forces": (
-        "在 t = {time} s（{drive} = {value} {unit}）时，杆组 {group} 位于转折点，此时任一构件都不能带动另一构件转动，以下各力（矩）无限增大："
+        "在 t = {time} s（{drive} = {value} {unit}）时，杆组 {group} 位于变点，此时任一构件都不能带动另一构件转动，以下各力（矩）无限增大："
         "{signals}。它们在该时刻没有值。",
-        "用其他方式传递载荷：第三个曲柄、飞轮或齿轮可使平行四边形机构通过转折点。",
+        "用其他方式传递载荷：第三个曲柄、飞轮或齿轮可使平行四边形机构通过变点。",
     ),
     "motion.near-change-point": (
-        "在 t = {time} s（{drive} = {value} {unit}）时，杆组 {group} 的运动经过转折点附近（行列式为 {determinant}）："
+        "在 t = {time} s（{drive} = {value} {unit}）时，杆组 {group} 的运动经过变点附近（行列式为 {determinant}）："
         "微小的长度误差或间隙就会决定运动以哪种装配模式继续。",
         "若所需的是平行四边形等机构，使各长度精确匹配（并写 through: keep）；否则使运动远离该位置。",
     ),

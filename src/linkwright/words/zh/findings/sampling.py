@@ -6,8 +6,8 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "将各移动副的两条直线都用 {name} 表示，或不变动该参数。",
     ),
     "varied.passage": (
-        "运动通过转折点继续（through: keep），而 {names} 取其他值会使该转折点移动。",
-        "只有运动不经过转折点时，才能变动其参数。",
+        "运动通过变点继续（through: keep），而 {names} 取其他值会使该变点移动。",
+        "只有运动不经过变点时，才能变动其参数。",
     ),
     "varied.table": (
         "表 {table} 的 x 值或周期与变动的参数 {names} 有关。",

@@ -7,7 +7,7 @@ TEXTS: dict[str, str] = {
     "schema.CycleOptions.duration": "运行的时长",
     "schema.CycleOptions.turns": "“2 engine”：匀速驱动的转数",
     "schema.CycleOptions.samples": "等分的时间步数；表有 samples + 1 行",
-    "schema.CycleOptions.through": "在转折点处：keep 平滑通过，stop 报错并停止",
+    "schema.CycleOptions.through": "在变点处：keep 平滑通过，stop 报错并停止",
     "schema.LimitsOptions": "要求运动极限的驱动（逐个单独运动）、其范围，以及关注的信号。",
     "schema.LimitsOptions.drives": "要分析的驱动；默认为全部",
     "schema.LimitsOptions.ranges": "驱动数值的范围 [下限, 上限]；默认为一周、缸的行程，或移动副所能达到的范围",
