@@ -173,10 +173,12 @@ class Sweep(Run):
         # Where the distance has its minimum over the guiding coordinate the mechanism folds.
         share = (guide - guide[0]) / (guide[-1] - guide[0])
         slope = np.polynomial.Chebyshev.fit(share, distance, FOLD_DEGREE).deriv()
-        bottom = [float(r.real) for r in slope.roots() if abs(r.imag) < 1e-6 and -1.0 < r.real <= float(share[1])]
-        if not bottom:
+        roots = np.asarray(slope.roots(), dtype=np.complex128)
+        near_end = (np.abs(roots.imag) < 1e-6) & (roots.real > -1.0) & (roots.real <= share[1])
+        bottom = roots.real[near_end]
+        if not bottom.size:
             return known
-        limits = [np.polynomial.Chebyshev.fit(share, row, FOLD_DEGREE)(max(bottom)) for row in rows]
+        limits = [np.polynomial.Chebyshev.fit(share, row, FOLD_DEGREE)(bottom.max()) for row in rows]
         return np.array(limits)[:, None]
 
     def _track(self, name: str) -> tuple[Array, Array]:
