@@ -25,23 +25,24 @@ function run({ sets, out, ...paths }) {
   const mechanism = mechanismOf(paths);
   const page = mechanism.data;
   const from = doubles(sets);
-  const [parts, failures] = [[], []];
+  const [parts, failures, ends] = [[], [], []];
   const count = page.free.length;
   for (let i = 0; i < (count ? from.length / count : 1); i++) {
     const motion = mechanism.run(from.subarray(i * count, (i + 1) * count));
     const measured = motion.measured.flatMap(({ values, rates }) => [values, rates]);
     parts.push(motion.parameters, ...motion.rows, ...motion.reaches, ...measured);
     failures.push(motion.failure);
+    ends.push(motion.times.at(-1));
   }
   fs.writeFileSync(out, Buffer.concat(parts.map((part) => Buffer.from(part.buffer, part.byteOffset, part.byteLength))));
-  return failures;
+  return { failures, ends };
 }
 
 readline.createInterface({ input: process.stdin }).on("line", (line) => {
   let answer;
   try {
     const command = JSON.parse(line);
-    answer = command.drags ? { drags: dragged(command) } : { failures: run(command) };
+    answer = command.drags ? { drags: dragged(command) } : run(command);
   } catch (error) {
     answer = { error: String(error.stack) };
   }

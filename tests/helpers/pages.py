@@ -20,13 +20,15 @@ Array = np.ndarray
 @dataclass
 class PageRun:
     """Of each set: all parameters (sets, parameters), rows (sets, rows, times), reaches (sets, groups, times), measured
-    rows with their rates (sets, rows, 2, times), and why it has no motion from where on."""
+    rows with their rates (sets, rows, 2, times), why it has no motion from where on, and when it ends
+    (s)."""
 
     parameters: Array
     rows: Array
     reaches: Array
     measured: Array
     failures: list[dict[str, Any] | None]
+    ends: list[float]
 
 
 def page_run(made: PagePrograms, times: Array, sets: Array) -> PageRun:
@@ -44,7 +46,7 @@ def run_data(code: str, data: Mapping[str, Any], times: Array, sets: Array) -> P
         found = np.fromfile(out).reshape(len(answer["failures"]), -1)
     rows = found[:, count:].reshape(len(found), own + reaches + 2 * data["measured"], times.size)
     measured = rows[:, own + reaches :].reshape(len(found), -1, 2, times.size)
-    return PageRun(found[:, :count], rows[:, :own], rows[:, own : own + reaches], measured, answer["failures"])
+    return PageRun(found[:, :count], rows[:, :own], rows[:, own : own + reaches], measured, answer["failures"], answer["ends"])
 
 
 def page_drags(made: PagePrograms, drags: list[dict[str, Any]]) -> list[dict[str, Any]]:

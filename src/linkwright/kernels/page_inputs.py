@@ -8,7 +8,7 @@ nominal parameters, which are locked then.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
 import casadi as ca
@@ -23,16 +23,21 @@ from linkwright.findings import Finding, ModelError
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.program import ExpressionStage, Program
 from linkwright.kernels.compiled import Compiled
+from linkwright.kernels.drawn_constants import drawn_with
 from linkwright.kernels.motion_faults import asking
 from linkwright.kernels.motions import motion_conditions
 from linkwright.kernels.parameter_batch import Varied
 from linkwright.kernels.tables import StatedTable, closing_margin
 from linkwright.laws import TableLaw
-from linkwright.model.conditions import Condition, varying_conditions
+from linkwright.model.conditions import Condition, Values, varying_conditions
 from linkwright.model.quantities import Quantities
 from linkwright.model.sampled import dependent, names_in
 from linkwright.model.walk import QuantityPlace
 from linkwright.notation.symbols import Symbol
+
+
+Length = Callable[[Values], tuple[Any, Condition]]
+"""The length of a run (s) by what gives the values of expressions, and the condition that it has one."""
 
 
 def derived_parameters(quantities: Quantities, tangents: bool = False) -> Program:
@@ -78,6 +83,9 @@ def locked_parameters(compiled: Compiled, free: Iterable[str]) -> dict[str, Find
             if varying & names:
                 why = Finding("varied.locked", path, {"name": name, "where": path[1]}, severity="note")
                 found.setdefault(name, why)
+        if name not in found and (joint := drawn_with(compiled, name)) is not None:
+            data = {"name": name, "joint": joint}
+            found[name] = Finding("varied.drawn", ("joints", joint), data, severity="note")
     return found
 
 
@@ -99,16 +107,18 @@ def ratio_program(compiled: Compiled, locked: Iterable[str]) -> Program:
     return _program(compiled, x, p, rows, tuple(f"{name}:{k}" for name in followers for k in (0, 1)))
 
 
-def constants_program(compiled: Compiled) -> Program:
+def constants_program(compiled: Compiled, length: Length | None = None) -> Program:
     """What is computed once for a set of parameters: the angle (rad) near which each counted one starts, 0 where it
-    starts anywhere; then the margins of the conditions on numbers (see :func:`number_conditions`)."""
+    starts anywhere; then the margins of the conditions on numbers (see :func:`number_conditions`);
+    last the ``length`` of a run (s), 0 where that stays."""
     p, parameters = _parameters(compiled, ())
     geometry, supply = Geometry(compiled.quantities, parameters), compiled.supply
     rows: list[Any] = []
     for name in compiled.graph.actions.turning:
         counted = compiled.graph.actions.counted_angles.get(name)
         rows.append(0.0 if counted is None else supply.start_angle(name, geometry.number))
-    rows += [one.margin for one in number_conditions(compiled, parameters)]
+    rows += [one.margin for one in number_conditions(compiled, parameters, length)]
+    rows.append(0.0 if length is None else length(geometry.number)[0])
     return _program(compiled, ca.SX(0, 1), p, rows, ())
 
 
@@ -138,8 +148,11 @@ def shaping(compiled: Compiled, derived: Program, shape: Program) -> dict[str, l
     return found
 
 
-def number_conditions(compiled: Compiled, parameters: Mapping[str, Any] | None = None) -> list[Condition]:
-    """The conditions on numbers that depend on parameters, as expressions of symbols for these."""
+def number_conditions(
+    compiled: Compiled, parameters: Mapping[str, Any] | None = None, length: Length | None = None
+) -> list[Condition]:
+    """The conditions on numbers that depend on parameters, as expressions of symbols for these; that a run has a
+    ``length`` comes last."""
     given = _parameters(compiled, ())[1] if parameters is None else parameters
     geometry = Geometry(compiled.quantities, given)
 
@@ -150,7 +163,8 @@ def number_conditions(compiled: Compiled, parameters: Mapping[str, Any] | None =
             raise DimensionError("expression.not-constant", name="") from None
 
     found = varying_conditions(compiled.quantities, value, lambda margin: not ca.SX(margin).is_constant())
-    return [*found, *_law_conditions(compiled, given)]
+    lasting = [] if length is None else [length(geometry.number)[1]]
+    return [*found, *_law_conditions(compiled, given), *lasting]
 
 
 def _law_conditions(compiled: Compiled, parameters: Mapping[str, Any]) -> Iterator[Condition]:

@@ -25,6 +25,7 @@ from linkwright.graph.tangent import tangent
 from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.javascript_source import javascript_array
 from linkwright.kernels.page_inputs import (
+    Length,
     constants_program,
     derived_parameters,
     law_program,
@@ -47,7 +48,8 @@ SIGNS = {Sign.ANY: 0, Sign.NOT_NEGATIVE: 1, Sign.POSITIVE: 2}
 @dataclass(frozen=True)
 class PagePrograms:
     """A compiled mechanism's ``rows`` as a page computes them, and the ``measured`` ones with their rates in time, with
-    all parameters but the ``locked`` ones free; programs of ``outlines`` give places of lines on links.
+    all parameters but the ``locked`` ones free; programs of ``outlines`` give places of lines on links,
+    ``length`` how long the run is.
 
     A locked parameter has a finding that says why: what depends on it is no expression.
     """
@@ -56,6 +58,7 @@ class PagePrograms:
     rows: tuple[Named, ...]
     measured: tuple[Named, ...] = ()
     outlines: tuple[Program, ...] = ()
+    length: Length | None = None
 
     @cached_property
     def locked(self) -> dict[str, Finding]:
@@ -86,7 +89,7 @@ class PagePrograms:
     @cached_property
     def conditions(self) -> list[Condition]:
         """The conditions on numbers that the page checks, in their order."""
-        return number_conditions(self.compiled)
+        return number_conditions(self.compiled, length=self.length)
 
     @cached_property
     def points(self) -> tuple[str, ...]:
@@ -109,7 +112,7 @@ class PagePrograms:
         turns = [supply.turns[name].kernel.program for name in graph.actions.turning]
         return {
             "derived": [self.derived],
-            "constants": [constants_program(compiled)],
+            "constants": [constants_program(compiled, self.length)],
             "laws": [law_program(compiled, self.locked)],
             "closures": [graph.program(graph.closure(group)) for group in compiled.structure.higher_groups],
             "turns": turns,
@@ -199,8 +202,12 @@ class PagePrograms:
 
 
 def page_programs(
-    compiled: Compiled, rows: Sequence[Named], measured: Sequence[Named] = (), outlines: Sequence[Program] = ()
+    compiled: Compiled,
+    rows: Sequence[Named],
+    measured: Sequence[Named] = (),
+    outlines: Sequence[Program] = (),
+    length: Length | None = None,
 ) -> PagePrograms:
     """Rows of a mechanism as a page can compute them; those ``measured`` with their rates. Programs of ``outlines``
-    have the mechanism's parameters."""
-    return PagePrograms(compiled, tuple(rows), tuple(measured), tuple(outlines))
+    have the mechanism's parameters; the ``length`` of the run follows them too, where it is given."""
+    return PagePrograms(compiled, tuple(rows), tuple(measured), tuple(outlines), length)

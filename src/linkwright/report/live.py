@@ -7,17 +7,22 @@ the nominal parameters alone.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import partial
+from typing import Any
 
+import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.compilation import compile_named
 from linkwright.escape import printed
 from linkwright.expressions.units import ANGLE, LENGTH, TIME
-from linkwright.findings import ModelError
+from linkwright.findings import Finding, Joined, ModelError
 from linkwright.graph.power_rows import PowerRow
+from linkwright.kernels import Compiled
+from linkwright.kernels.page_inputs import Length, number_conditions
 from linkwright.kernels.page_programs import PagePrograms, page_programs
 from linkwright.measures import live_measures, live_rows
 from linkwright.model.conditions import Condition
@@ -34,6 +39,7 @@ from linkwright.report.outlines import LiveOutline
 from linkwright.report.packed import pruned
 from linkwright.report.signal_list import measured_signals, signal_list
 from linkwright.results import Result
+from linkwright.studies.cycle.options import CycleOptions, length_condition
 from linkwright.studies.drive_sweep import Sweep
 
 Array = NDArray[np.float64]
@@ -90,7 +96,11 @@ def live_data(
         cams = live_cam_shapes(compiled)
     outlines = [*cams, *live_joint_shapes(compiled)]
     made = page_programs(
-        compiled, [*compiled.graph.pose_rows, *signals, *others, *balance], measured, [one.program for one in outlines]
+        compiled,
+        [*compiled.graph.pose_rows, *signals, *others, *balance],
+        measured,
+        [one.program for one in outlines],
+        _length(document, compiled),
     )
     values = [*recorded.evaluate(recorded.graph.pose_rows, result.t), *(result[name] for name in signals)]
     values += [*recorded.evaluate(others, result.t)] if others else []
@@ -129,6 +139,16 @@ def live_data(
     }
 
 
+def _length(document: Document, compiled: Compiled) -> Length | None:
+    """How long the cycle of a file lasts, where that depends on its numbers."""
+    if "cycle" not in document.studies:
+        return None
+    options = CycleOptions.model_validate(document.studies["cycle"], context=document.studies)
+    length = partial(length_condition, compiled, options)
+    margin = number_conditions(compiled, length=length)[-1].margin
+    return None if ca.SX(margin).is_constant() else length
+
+
 def _places(document: Document, named: NamedNumbers, conditions: Sequence[Condition]) -> list[str]:
     """The places of conditions in the file, as findings have them."""
     findings = named.with_file_paths(condition.finding for condition in conditions)
@@ -155,7 +175,9 @@ def _numbers(made: PagePrograms, named: NamedNumbers, source: Source) -> tuple[l
     lines, whole = dict[int, int](), (source.text or "").splitlines()
     free, stated = {*made.derived.inputs}, made.compiled.mechanism.parameters
     scales = {LENGTH: made.compiled.assembly.size(), ANGLE: 1.0}
-    for one in live_numbers(named, source):
+    every = live_numbers(named, source)
+    labels = {one["name"]: one["label"] for one in every}
+    for one in every:
         name = one["name"]
         if name not in free:
             continue
@@ -173,10 +195,21 @@ def _numbers(made: PagePrograms, named: NamedNumbers, source: Source) -> tuple[l
                 "unit": printed(one["unit"]),
                 "size": one["size"],
                 "named": named.numbers[name].is_parameter if name in named.numbers else name in stated,
-                "locked": "" if why is None else why.said("what"),
+                "locked": "" if why is None else _labelled(why, labels).said("what"),
                 "line": lines.setdefault(one["line"], len(lines)),
                 "start": one["start"],
                 "end": one["end"],
             }
         )
     return found, [whole[line - 1] for line in lines]
+
+
+def _labelled(finding: Finding, labels: Mapping[str, str]) -> Finding:
+    """A finding with the names that a page has for numbers of the file, which have none there."""
+
+    def label(value: Any) -> Any:
+        if isinstance(value, Joined):
+            return Joined(labels.get(str(part), part) for part in value.parts)
+        return labels.get(value, value) if isinstance(value, str) else value
+
+    return replace(finding, data={key: label(value) for key, value in finding.data.items()})

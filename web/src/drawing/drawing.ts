@@ -26,7 +26,7 @@ export interface Drawing {
   /** Setting a time or a sample ends the play. */
   setTime(t: number): void;
   setIndex(i: number): void;
-  /** The same links and points in another motion at the same times; `original` is drawn faintly behind it. */
+  /** The same links and points in another motion, of as many poses; `original` is drawn faintly behind it. */
   update(scene: Scene, original: Scene | null): void;
   /** The place in the world of a place in the window. */
   place(x: number, y: number): Point;

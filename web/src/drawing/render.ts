@@ -34,21 +34,22 @@ export function render({
   const say = speaker(words);
   let facts = survey(model);
   let original: Facts | null = null;
-  const { times } = facts;
-  const [first, last] = [times[0]!, times.at(-1)!];
+  const first = facts.times[0]!;
+  /** A motion of other numbers may last longer, in as many poses. */
+  const end = (): number => facts.times.at(-1)!;
   const second = SECONDS[time.unit];
-  const perSecond = second ? 1 / second : (last - first) / 4;
+  const perSecond = second ? 1 / second : (end() - first) / 4;
   const { root, stage, drawing } = frame(el, say);
-  const ui = controls(root, facts, { say, time, real: (last - first) / perSecond });
+  const ui = controls(root, facts, { say, time, real: (end() - first) / perSecond });
   const seen = usual();
   let drawn = 0;
-  const decimals = clamp(1 - Math.floor(Math.log10((last - first) / (times.length - 1) || 1)), 0, 9);
+  const decimals = clamp(1 - Math.floor(Math.log10((end() - first) / (facts.times.length - 1) || 1)), 0, 9);
   const listeners = new Set<Listener>();
   let picture: Drawn | undefined;
   let now = first;
 
   const show = (): number => {
-    const { k, f, nearest } = locate(times, now);
+    const { k, f, nearest } = locate(facts.times, now);
     picture!.show(k, f);
     pointed.update(facts, picture!.view, k, f);
     const figure = now.toFixed(decimals);
@@ -59,7 +60,7 @@ export function render({
     return nearest;
   };
   const goTo = (t: number): void => {
-    now = clamp(t, first, last);
+    now = clamp(t, first, end());
     const nearest = show();
     for (const listener of listeners) listener(now, nearest);
   };
@@ -97,7 +98,7 @@ export function render({
     layout();
   };
   const pick = (x: number, y: number, within: number): Pin | null =>
-    pinAt(facts, picture!.view, times, now, onPicture(drawing, x, y), within);
+    pinAt(facts, picture!.view, facts.times, now, onPicture(drawing, x, y), within);
   const viewed = viewing({
     root,
     stage,
@@ -114,21 +115,21 @@ export function render({
     arrowAt(facts, picture!.view, seen.arrows, now, onPicture(drawing, x, y), within);
   const pointed = hover({ stage, picture: drawing, say, pick, pickArrow, changed: () => show() });
   const frames = playback(
-    (seconds) => goTo(first + ((now - first + seconds * perSecond * Number(ui.speed.value)) % (last - first))),
+    (seconds) => goTo(first + ((now - first + seconds * perSecond * Number(ui.speed.value)) % (end() - first))),
     (playing) => {
       ui.play.setAttribute("aria-pressed", String(playing));
       ui.play.setAttribute("aria-label", say(playing ? "pause" : "play"));
     },
   );
   const play = (): void => {
-    if (last !== first) frames.start();
+    if (end() !== first) frames.start();
   };
   const pause = (): void => frames.stop();
   const setTime = (t: number): void => {
     pause();
     goTo(t);
   };
-  const setIndex = (i: number): void => setTime(times[clamp(Math.round(i), 0, times.length - 1)]!);
+  const setIndex = (i: number): void => setTime(facts.times[clamp(Math.round(i), 0, facts.times.length - 1)]!);
 
   ui.play.addEventListener("click", () => (frames.running ? pause() : play()));
   ui.slider.addEventListener("input", () => setIndex(Number(ui.slider.value)));
@@ -163,7 +164,9 @@ export function render({
     },
     fit: fitAll,
     update(scene, before) {
+      const lasted = end();
       facts = survey(scene, facts);
+      now = clamp(now * (end() / lasted || 1), first, end()); // the pose stays
       ui.mark(facts.gaps);
       if (original?.scene !== before) original = before && survey(before, facts);
       layout();

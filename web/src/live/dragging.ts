@@ -50,7 +50,7 @@ export function dragging({ live, drawing, held, shapes, said }: DragOptions): vo
     const name = data.program.points[point]!;
     const [xs, ys] = [live.signal(`${name}.x`), live.signal(`${name}.y`)];
     if (!xs || !ys) return time;
-    const pose = nearest(data.times, time);
+    const pose = nearest(live.motion.times, time);
     const off = (k: number): number => Math.hypot(xs[k]! - x, ys[k]! - y);
     const reach = Math.ceil(xs.length / 6);
     const count = xs.length - 1; // a cycle: the last pose is the first one
@@ -59,7 +59,7 @@ export function dragging({ live, drawing, held, shapes, said }: DragOptions): vo
       const k = (((pose + step) % count) + count) % count;
       if (off(k) < off(best) * (1 - 1e-9)) best = k;
     }
-    return data.times[best]!;
+    return live.motion.times[best]!;
   };
   picture.addEventListener("pointerdown", (event) => {
     if (!event.isPrimary) return end(); // a second finger zooms

@@ -16,6 +16,6 @@ export const rowsOf =
 export function figuresOf(live: LiveModel, measure: number, motion = live.motion): Figures | undefined {
   const known = taken.get(motion) ?? [];
   taken.set(motion, known);
-  known[measure] ??= figures(live.data.measures[measure]!, live.data.times, rowsOf(motion)) ?? null;
+  known[measure] ??= figures(live.data.measures[measure]!, motion.times, rowsOf(motion)) ?? null;
   return known[measure] ?? undefined;
 }

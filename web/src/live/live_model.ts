@@ -120,7 +120,8 @@ export class LiveModel {
     links: readonly string[] | null,
     held: (number: number) => boolean,
   ): Dragged {
-    const { numbers, program, times } = this.data;
+    const { numbers, program } = this.data;
+    const { times } = this.motion;
     const each = this.places.map((number) => numbers[number]);
     const own = new Set(links?.flatMap((link) => program.shaping[link] ?? []));
     const found = drag(this.mechanism, this.values, time, point, target, {

@@ -40,7 +40,7 @@ export function sceneOf(base: Scene, live: LiveModel, motion: Motion = live.moti
     y: scaled(live.signal(`${name}.y`, motion)!, data.length),
   }));
   let rolling: Centrode[] | null = null;
-  const time = data.times.map((each) => each / data.second);
+  const time = motion.times.map((each) => each / data.second);
   const values = valuesOf(base, live, motion);
   return {
     ...base,

@@ -23,6 +23,12 @@ export function liveSignals(live: LiveModel, kinds: Kinds): Signals {
     if (!found) known.set(name, (found = shown(live.signal(name, motion), size(name))));
     return found;
   };
+  const moments = new WeakMap<readonly number[], readonly number[]>();
+  const timesOf = ({ times }: Motion): readonly number[] => {
+    let found = moments.get(times);
+    if (!found) moments.set(times, (found = times.map((each) => each / data.second)));
+    return found;
+  };
   const elements = data.owners.flatMap(({ kind, of, count }) => {
     const text = kinds[kind] ?? "";
     return Array<string>(count).fill(kind === "point" && of ? `${text} (${of})` : text);
@@ -36,6 +42,7 @@ export function liveSignals(live: LiveModel, kinds: Kinds): Signals {
     has: (name) => numbers.has(name),
     unit: (name) => data.units[numbers.get(name) ?? -1] ?? "",
     values,
+    times: (original = false) => timesOf(original ? live.original : live.motion),
     marks: (name, vector) => marksOf(live, name, vector, size(name)),
   };
 }

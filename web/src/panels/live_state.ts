@@ -94,7 +94,7 @@ function stateLine(
     higher: data.program.higher[failure.index]?.group,
     number: data.conditions.places[failure.index],
   };
-  const at = `${sixDigits(data.times[failure.pose]! / data.second)} ${unit}`;
+  const at = `${sixDigits(motion.times[failure.pose]! / data.second)} ${unit}`;
   return filled(say(`live.failed_${failure.kind}`), {
     name: names[failure.kind] ?? "",
     time: at,

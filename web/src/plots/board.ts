@@ -33,7 +33,7 @@ export interface Board {
 
 export interface BoardOptions extends Pick<Board, "signals" | "colour" | "say"> {
   readonly drawing: Drawing;
-  readonly time: Horizontal;
+  readonly time: () => Horizontal;
   readonly axis: string;
   /** Calls after the cursor has moved, and after what is in sight has changed. */
   readonly moved: () => void;
@@ -41,12 +41,12 @@ export interface BoardOptions extends Pick<Board, "signals" | "colour" | "say"> 
 }
 
 export function board({ signals, colour, say, drawing, time, axis, moved, zoomed }: BoardOptions): Board {
-  const times = Array.from(time.values, Number);
+  const times = (): readonly number[] => time().values as readonly number[];
   let name = axis;
-  const horizontal = (): Horizontal => (name ? overSignal(name, signals) : time);
+  const horizontal = (): Horizontal => (name ? overSignal(name, signals) : time());
   let x = horizontal();
   let window = x.ends;
-  let index = nearest(times, drawing.time);
+  let index = nearest(times(), drawing.time);
   const zoom = (from: number, to: number): void => {
     window = [from, to];
     zoomed(from === x.ends[0] && to === x.ends[1]);
@@ -56,18 +56,20 @@ export function board({ signals, colour, say, drawing, time, axis, moved, zoomed
     ...held(drawing),
     goTo(place: number) {
       const { ascends, values, pieces } = x;
-      drawing.setTime(times[ascends ? nearest(times, place) : sampleAt(values, pieces, place, index)]!);
+      drawing.setTime(times()[ascends ? nearest(times(), place) : sampleAt(values, pieces, place, index)]!);
     },
     zoom,
     unzoom: () => zoom(...x.ends),
   };
   drawing.on("time", (now) => {
-    index = nearest(times, now);
+    index = nearest(times(), now);
     moved();
   });
   return {
     signals,
-    times,
+    get times() {
+      return times();
+    },
     colour,
     say,
     get x() {
@@ -92,10 +94,10 @@ export function board({ signals, colour, say, drawing, time, axis, moved, zoomed
       window = x.ends;
     },
     changed() {
-      const whole = window === x.ends;
+      const [whole, before] = [window === x.ends, x];
       x = horizontal();
       if (whole) window = x.ends;
-      return whole && name !== "";
+      return whole && x !== before;
     },
   };
 }

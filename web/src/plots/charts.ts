@@ -9,7 +9,7 @@ import type { TimeAxis } from "../scene/data.ts";
 import { type Board, board } from "./board.ts";
 import { type Card, card, figureOf } from "./card.ts";
 import { addition, type Choice, type Choices, read, written } from "./choice.ts";
-import { overTime } from "./curves.ts";
+import { type Horizontal, overTime } from "./curves.ts";
 import { entries } from "./entries.ts";
 import { save } from "./files.ts";
 import type { Colour } from "./looks.ts";
@@ -52,7 +52,15 @@ export function charts(options: ChartsOptions): Charts {
   const byBox = new Map<Element, Card>(); // by figure and by area
   const inSight = new Set<Card>();
   let chosen: Choices = choosing ? read(choosing.kept.read(), defaults, signals) : { axis: "", plots: defaults };
-  const overTimes = overTime(time.values, options.column, time.unit, options.axis);
+  let timed: Horizontal | null = null;
+  /** The axis of times, which follows the run's length. */
+  const overTimes = (): Horizontal => {
+    const [now, before] = [signals.times?.() ?? time.values, signals.times?.(true) ?? time.values];
+    if (timed?.values !== now) {
+      timed = overTime(now, options.column, time.unit, options.axis, now === before ? null : before);
+    }
+    return timed;
+  };
   const shared: Board = board({
     signals,
     colour,
@@ -97,7 +105,7 @@ export function charts(options: ChartsOptions): Charts {
       removed: () => remove(made),
       save(kind) {
         const note = signals.changed ? say("live.changed") : "";
-        void save(made, kind, { time: overTimes, window: shared.window, index: shared.index, note });
+        void save(made, kind, { time: overTimes(), window: shared.window, index: shared.index, note });
       },
     });
     const area = found(".chart", box);

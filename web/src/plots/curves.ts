@@ -70,12 +70,18 @@ export interface Curves {
 }
 
 /** The axis of times, whose name in files is `name`. */
-export const overTime = (values: readonly number[], name: string, unit: string, label: string): Horizontal => ({
+export const overTime = (
+  values: readonly number[],
+  name: string,
+  unit: string,
+  label: string,
+  ghost: readonly number[] | null = null,
+): Horizontal => ({
   name,
   unit,
   label,
   values,
-  ghost: null,
+  ghost,
   ascends: true,
   pieces: monotonePieces(values),
   ends: [values[0] ?? 0, values.at(-1) ?? 0],

@@ -38,6 +38,8 @@ export interface Signals {
   unit(name: string): string;
   /** Values in the unit, null where there is none; `original`: before all changes. */
   values(name: string, original?: boolean): Values;
+  /** When the samples are, in the page's unit, where that follows the numbers; `original`: before all changes. */
+  times?(original?: boolean): readonly number[];
   /** What measures say of a signal, or of the magnitude of the vector of which it is the x component. */
   marks(name: string, vector: boolean): Marks;
 }

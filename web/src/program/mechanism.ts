@@ -24,6 +24,8 @@ export interface Motion {
   /** Rows that measures look at, with their rates. */
   measured: { values: Float64Array; rates: Float64Array }[];
   parameters: Float64Array;
+  /** When its poses are (s): a run of so many turns takes longer with a slower motor. */
+  times: readonly number[];
   failure: Failure | null;
 }
 
@@ -42,11 +44,15 @@ export class Mechanism {
   private readonly higher: HigherGroups;
   private readonly size: number;
   readonly data: ProgramData;
-  readonly times: readonly number[];
+  times: readonly number[];
+  private readonly nominalTimes: readonly number[];
+  /** When the run ends (s) at the nominal numbers, and at those of the moment; 0 where it always does at the same time. */
+  private readonly nominalEnd: number;
+  private end: number;
 
   constructor(data: ProgramData, programs: readonly Program[], times: readonly number[]) {
     this.data = data;
-    this.times = times;
+    this.times = this.nominalTimes = times;
     let next = 0;
     for (const [kind, count] of Object.entries(data.programs)) {
       this.kinds[kind] = programs.slice(next, (next += count));
@@ -60,6 +66,7 @@ export class Mechanism {
     this.poses = times.map((_, k) => all.subarray(k * data.inputs, (k + 1) * data.inputs));
     this.higher = new HigherGroups(data.higher, this.kinds["closures"]!, data.inputs);
     this.nominal = this.derived(data.values).slice();
+    this.end = this.nominalEnd = this.constants(this.nominal).at(-1)!;
   }
 
   /** All parameters (SI) from the free ones. */
@@ -89,6 +96,7 @@ export class Mechanism {
       rows: [],
       reaches: [],
       parameters,
+      times: this.times,
       failure: null,
     };
     const rows = Array.from({ length: this.size }, (_, i) => all.subarray(i * poses, (i + 1) * poses));
@@ -99,11 +107,9 @@ export class Mechanism {
       values: rows[rest + 2 * i]!,
       rates: rows[rest + 2 * i + 1]!,
     }));
-    const constants = new Float64Array(this.data.turns.length + this.data.conditions.length);
-    this.tell(parameters);
-    this.only("constants").pose([], constants);
+    const constants = this.constants(parameters);
     const missing = parameters.findIndex((value) => !(Math.abs(value) < this.data.largest));
-    const checked = constants.subarray(this.data.turns.length);
+    const checked = constants.subarray(this.data.turns.length, constants.length - 1);
     const wrong = this.wrongNumber(checked);
     if (missing >= 0 || wrong >= 0) {
       motion.failure =
@@ -112,6 +118,7 @@ export class Mechanism {
           : { kind: "number", index: wrong, pose: 0, value: checked[wrong]! };
       return motion;
     }
+    motion.times = this.times = this.spread(constants.at(-1)!);
     const lost = this.place(parameters);
     this.turn(constants);
     this.supply();
@@ -121,6 +128,22 @@ export class Mechanism {
     });
     motion.failure = this.failure(motion, lost);
     return motion;
+  }
+
+  /** The times of all poses in a run that ends at another time (s). */
+  private spread(end: number): readonly number[] {
+    const { nominalEnd, nominalTimes } = this;
+    if (end === this.end) return this.times;
+    this.end = end;
+    return end === nominalEnd ? nominalTimes : nominalTimes.map((time) => time * (end / nominalEnd));
+  }
+
+  /** What is computed once for some parameters. */
+  private constants(parameters: Float64Array): Float64Array {
+    const found = new Float64Array(this.data.turns.length + this.data.conditions.length + 1);
+    this.tell(parameters);
+    this.only("constants").pose([], found);
+    return found;
   }
 
   /** The shapes of links at some parameters: coordinates of points (m), angles of lines (rad). */

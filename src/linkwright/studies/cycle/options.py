@@ -11,11 +11,12 @@ from pydantic import BeforeValidator, Field, ValidationError, ValidationInfo, mo
 
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen, fault
-from linkwright.expressions.typed_fields import Quantity
+from linkwright.expressions.typed_fields import Quantity, Sign
 from linkwright.expressions.unknown import unknown
 from linkwright.expressions.written import unexpected
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
+from linkwright.model.conditions import Condition, Values
 from linkwright.studies.numbers import constant
 
 LONGEST = 1e12
@@ -72,6 +73,24 @@ def span(compiled: Compiled, options: CycleOptions) -> tuple[float, list[Finding
     if seconds <= 0:
         return _option_fault(key, Term("length-positive"))
     return (seconds, []) if seconds < LONGEST else _option_fault(key, _too_long(seconds))
+
+
+def length_condition(compiled: Compiled, options: CycleOptions, value: Values) -> tuple[Any, Condition]:
+    """The length (s) of a run that :func:`span` accepts, by what gives the values of expressions, and the condition
+    that it has one."""
+    if options.turns is not None:
+        match = TURNS.fullmatch(options.turns)
+        assert match is not None
+        speed = compiled.mechanism.drives[match[2]].speed
+        assert speed is not None
+        rate = value(speed, u.OMEGA)
+        _, (finding,) = _option_fault("turns", Term("turns-none", drive=match[2]))
+        return 2 * np.pi * float(match[1]) / abs(rate), Condition(abs(rate), Sign.POSITIVE, finding)
+    key, length = ("period", options.period) if options.period is not None else ("duration", options.duration)
+    assert length is not None
+    seconds = value(length, u.TIME)
+    _, (finding,) = _option_fault(key, Term("length-positive"))
+    return seconds, Condition(seconds, Sign.POSITIVE, finding)
 
 
 def _turns(compiled: Compiled, text: str) -> tuple[float, list[Finding]]:

@@ -23,6 +23,11 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "{where} is read from the file with the value of {name}; the report doesn't recompute it.",
         "Change {name} in the file, then run it again.",
     ),
+    "varied.drawn": (
+        "{name} also changes the position in which {joint} is assembled (how the teeth mesh, where the contact starts); "
+        "the report doesn't recompute that.",
+        "Change {name} in the file, then run it again.",
+    ),
     "varied.whole": (
         "{where} is a whole number; no slider moves {name}.",
         "Change {name} in the file, then run it again.",

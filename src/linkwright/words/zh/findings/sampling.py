@@ -21,6 +21,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "{where} 按文件中 {name} 的值确定，报告页面不重新计算。",
         "在文件中修改 {name}，然后重新运行。",
     ),
+    "varied.drawn": (
+        "{name} 还会改变 {joint} 的装配位置（轮齿的啮合位置、接触的起点），报告页面不重新计算该位置。",
+        "在文件中修改 {name}，然后重新运行。",
+    ),
     "varied.whole": (
         "{where} 是整数，滑块不能改变 {name}。",
         "在文件中修改 {name}，然后重新运行。",
