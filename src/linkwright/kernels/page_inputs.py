@@ -97,6 +97,19 @@ def law_program(compiled: Compiled, locked: Iterable[str]) -> Program:
     return _program(compiled, t, p, rows, ("t",))
 
 
+def law_slopes_program(compiled: Compiled, locked: Iterable[str]) -> Program:
+    """The derivatives of all that :func:`law_program` gives along a direction of the parameters, which are further
+    parameters: a drive that starts as drawn turns with the sketch."""
+    t: Any = Symbol.named("t")
+    p, parameters = _parameters(compiled, locked)
+    along = ca.SX.sym("direction", p.numel())
+    rows = [part for drive in compiled.graph.drives for part in compiled.laws[drive].at(t, parameters).d]
+    slopes = ca.vertsplit(ca.jtimes(ca.vertcat(*rows), p, along)) if p.numel() else [0.0 for _ in rows]
+    names = (*compiled.graph.parameters, *(f"d({name})" for name in compiled.graph.parameters))
+    stage = ExpressionStage.from_rows(t, ca.vertcat(p, along), slopes)
+    return Program((), stage, ("t",), names, tuple(map(str, range(len(rows)))))
+
+
 def ratio_program(compiled: Compiled, locked: Iterable[str]) -> Program:
     """Of each follower the derivative of its value by its motor's, and the rate of that in time, from the motor's value
     (rad or m) and rate, follower by follower."""

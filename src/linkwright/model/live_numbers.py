@@ -19,7 +19,9 @@ from linkwright.model.yaml_text import Source
 from linkwright.tolerances.classes import NoTolerance
 
 SHARE = 0.5
-"""The share of a value by which it may be moved either way, where the model states no limits."""
+"""The share of a value by which it may be moved either way."""
+PLACES = 0.25
+"""The share of the largest length by which a coordinate may be moved at least."""
 LEAST = 0.01
 """The smallest share of a value that must be positive."""
 
@@ -99,6 +101,8 @@ def _range(named: NamedNumbers, name: str, span: NumberSpan, sign: Sign) -> tupl
     """From where to where a number may be moved (SI): by a share of its value."""
     value, dimension = named.quantities.parameters[name], named.quantities.dimensions.of(name)
     reach = SHARE * abs(value) or _reach(named, dimension, span.size)
+    if dimension == LENGTH and sign is Sign.ANY and name in named.numbers:  # a coordinate: where its axes lie is a choice
+        reach = max(reach, PLACES * max(_alike(named, dimension)))
     low, high = value - reach, value + reach
     if sign is Sign.NOT_NEGATIVE:
         low = max(low, 0.0)

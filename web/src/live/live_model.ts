@@ -124,14 +124,18 @@ export class LiveModel {
     const { times } = this.motion;
     const each = this.places.map((number) => numbers[number]);
     const own = new Set(links?.flatMap((link) => program.shaping[link] ?? []));
+    // What stands on the frame stays, where the links have other numbers.
+    const frame = new Set(links?.includes("frame") ? [] : program.shaping["frame"]);
+    const movable = each.map(
+      (number, i) => !!number && !number.locked && !held(this.places[i]!) && (links === null || own.has(i)),
+    );
+    const stays = links !== null && movable.some((may, i) => may && !frame.has(i)) ? frame : new Set<number>();
     const found = drag(this.mechanism, this.values, time, point, target, {
       times: [times[0]!, times.at(-1)!],
       sizes: each.map((number) => number?.scale ?? 1),
       low: each.map((number) => number?.low ?? 0),
       high: each.map((number) => number?.high ?? 0),
-      held: each.map(
-        (number, i) => !number || number.locked || held(this.places[i]!) || (links !== null && !own.has(i)),
-      ),
+      held: movable.map((may, i) => !may || stays.has(i)),
     });
     if (Number.isFinite(found.off)) {
       this.values.set(found.free);

@@ -47,6 +47,7 @@ export type Counts = Record<
   | "derived"
   | "constants"
   | "laws"
+  | "law_slopes"
   | "closures"
   | "turns"
   | "lookups"

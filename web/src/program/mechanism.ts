@@ -30,7 +30,7 @@ export interface Motion {
 }
 
 /** Kinds of programs with other parameters than all the others. */
-const OWN_PARAMETERS = new Set(["derived", "slopes", "dragged"]);
+const OWN_PARAMETERS = new Set(["derived", "slopes", "dragged", "law_slopes"]);
 const STEEPEST = 12; // halvings of a stretch between two times while a turning angle is followed
 
 export class Mechanism {

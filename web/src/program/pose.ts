@@ -71,12 +71,16 @@ export class Pose {
     const both = new Float64Array(2 * data.parameters);
     both.set(this.p);
     const along = both.subarray(data.parameters);
+    const [laws, x] = [this.owner.only("law_slopes"), this.x.slice()];
+    const drives = x.subarray(data.inputs, data.inputs + data.drives.count * data.drives.width);
     const moves = Array.from({ length: count }, (_, i) => {
       given.fill(0, count);
       given[count + i] = 1;
       slopes.pose(given, along);
+      laws.parameters(both);
+      laws.pose([this.time], drives);
       program.parameters(both);
-      program.pose(this.x, this.out);
+      program.pose(x, this.out);
       return Float64Array.of(this.out[at + 1]!, this.out[at + 3]!);
     });
     along.fill(0);
