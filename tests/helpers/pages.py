@@ -46,7 +46,9 @@ def run_data(code: str, data: Mapping[str, Any], times: Array, sets: Array) -> P
         found = np.fromfile(out).reshape(len(answer["failures"]), -1)
     rows = found[:, count:].reshape(len(found), own + reaches + 2 * data["measured"], times.size)
     measured = rows[:, own + reaches :].reshape(len(found), -1, 2, times.size)
-    return PageRun(found[:, :count], rows[:, :own], rows[:, own : own + reaches], measured, answer["failures"], answer["ends"])
+    return PageRun(
+        found[:, :count], rows[:, :own], rows[:, own : own + reaches], measured, answer["failures"], answer["ends"]
+    )
 
 
 def page_drags(made: PagePrograms, drags: list[dict[str, Any]]) -> list[dict[str, Any]]:

@@ -55,7 +55,8 @@ def test_random_numbers_of_the_file(name: str) -> None:
     sets = np.repeat(base[None], SETS, axis=0)
     sets[1:, moving] *= 1 + 0.03 * rng.uniform(-1, 1, (SETS - 1, len(moving)))
     times = np.array(live["times"])[4:-4:8]  # examples start in dead centres
-    found = run_data(live["code"], program, times, sets).rows
+    computed = run_data(live["code"], program, times, sets)
+    found = computed.rows
     compiled = compile_mechanism(named_numbers(load(EXAMPLES / f"{name}.yaml")).mechanism, EXAMPLES)
     names = [program["free"][i] for i in moving]
     try:
@@ -64,7 +65,12 @@ def test_random_numbers_of_the_file(name: str) -> None:
         pytest.skip("not all of its numbers may be moved at once")
     p = varied.parameters(sets[:, moving].T)
     rows = [*compiled.graph.pose_rows, *live["signals"]]
-    true = np.moveaxis(varied.evaluate(rows, p, times), 1, 0)
+    # A run of so many turns takes longer with a slower motor, and the page's times with it.
+    longer = np.array(computed.ends) / times[-1]
+    if (longer == 1).all():
+        true = np.moveaxis(varied.evaluate(rows, p, times), 1, 0)
+    else:
+        true = np.array([varied.evaluate(rows, p[:, [k]], times * longer[k])[:, 0] for k in range(SETS)])
     for i in live["wrapped"]:
         place = 4 * len(live["poses"]) + i
         true[:, place], found[:, place] = (np.mod(rows[:, place], 2 * np.pi) for rows in (true, found))
@@ -73,9 +79,8 @@ def test_random_numbers_of_the_file(name: str) -> None:
     largest = np.abs(np.nan_to_num(true)).max(axis=(0, 2))
     kinds = np.array(["pose"] * 4 * len(live["poses"]) + list(live["units"])[: len(live["signals"])])
     of_kind = np.array([largest[kinds == kind].max() for kind in kinds])
-    nothing = np.maximum(
-        1e-9 * of_kind, 1e-11
-    )  # what is zero but for round-off, such as the deviation of a straight line
+    # What is zero but for round-off, such as the deviation of a straight line.
+    nothing = np.maximum(1e-9 * of_kind, 1e-11)
     nil = largest <= nothing
     assert (np.abs(np.nan_to_num(found[:, nil])).max(axis=(0, 2)) <= nothing[nil]).all()
     scales = np.maximum(largest, 1e-6 * of_kind)[~nil]
@@ -86,7 +91,7 @@ def test_random_numbers_of_the_file(name: str) -> None:
     assert np.nanquantile(error, 0.99) < 3e-10
 
 
-@pytest.mark.parametrize(("name", "most"), [("paper_feeder", 289e3), ("jansen_leg", 280e3), ("loader", 330e3)])
+@pytest.mark.parametrize(("name", "most"), [("paper_feeder", 290e3), ("jansen_leg", 280e3), ("loader", 330e3)])
 def test_pages_stay_small(name: str, most: float) -> None:
     """Scripts and texts are two thirds of a page; its data grows by what is added to a mechanism's signals alone."""
     assert len(page(report_of(name)).encode()) < most

@@ -6,7 +6,6 @@ drawn, its assembly modes. A number that the page can't follow so is locked.
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 from typing import Any
 
@@ -128,6 +127,3 @@ def replaced(text: str, old: list[str], new: list[str]) -> str:
         (at,) = [i for i, line in enumerate(lines) if line == before][:1]
         lines[at] = after
     return "\n".join(lines) + "\n"
-
-
-assert math

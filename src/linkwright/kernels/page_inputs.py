@@ -23,7 +23,7 @@ from linkwright.findings import Finding, ModelError
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.program import ExpressionStage, Program
 from linkwright.kernels.compiled import Compiled
-from linkwright.kernels.drawn_constants import drawn_with
+from linkwright.kernels.drawn_constants import DrawnConstants
 from linkwright.kernels.motion_faults import asking
 from linkwright.kernels.motions import motion_conditions
 from linkwright.kernels.parameter_batch import Varied
@@ -34,7 +34,6 @@ from linkwright.model.quantities import Quantities
 from linkwright.model.sampled import dependent, names_in
 from linkwright.model.walk import QuantityPlace
 from linkwright.notation.symbols import Symbol
-
 
 Length = Callable[[Values], tuple[Any, Condition]]
 """The length of a run (s) by what gives the values of expressions, and the condition that it has one."""
@@ -68,6 +67,7 @@ def locked_parameters(compiled: Compiled, free: Iterable[str]) -> dict[str, Find
     fixed |= {("tables", name): table.names for name, table in compiled.tables.items()}
     counted = [site for site in compiled.quantities.fields if isinstance(site, QuantityPlace)]
     whole = [(site.path, names_in(e.node)) for site in counted for e, of in site.parts if of.whole]
+    drawn = DrawnConstants(compiled)
     for name in free:
         try:
             Varied(compiled, [name])
@@ -83,7 +83,7 @@ def locked_parameters(compiled: Compiled, free: Iterable[str]) -> dict[str, Find
             if varying & names:
                 why = Finding("varied.locked", path, {"name": name, "where": path[1]}, severity="note")
                 found.setdefault(name, why)
-        if name not in found and (joint := drawn_with(compiled, name)) is not None:
+        if name not in found and (joint := drawn.joint_that_asks(name)) is not None:
             data = {"name": name, "joint": joint}
             found[name] = Finding("varied.drawn", ("joints", joint), data, severity="note")
     return found

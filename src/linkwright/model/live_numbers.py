@@ -101,7 +101,8 @@ def _range(named: NamedNumbers, name: str, span: NumberSpan, sign: Sign) -> tupl
     """From where to where a number may be moved (SI): by a share of its value."""
     value, dimension = named.quantities.parameters[name], named.quantities.dimensions.of(name)
     reach = SHARE * abs(value) or _reach(named, dimension, span.size)
-    if dimension == LENGTH and sign is Sign.ANY and name in named.numbers:  # a coordinate: where its axes lie is a choice
+    is_coordinate = dimension == LENGTH and sign is Sign.ANY and name in named.numbers
+    if is_coordinate:  # where its axes lie is a choice
         reach = max(reach, PLACES * max(_alike(named, dimension)))
     low, high = value - reach, value + reach
     if sign is Sign.NOT_NEGATIVE:

@@ -46,7 +46,7 @@ export class Mechanism {
   readonly data: ProgramData;
   times: readonly number[];
   private readonly nominalTimes: readonly number[];
-  /** When the run ends (s) at the nominal numbers, and at those of the moment; 0 where it always does at the same time. */
+  /** When the run ends (s) at the nominal numbers, and at those of the moment; 0 where it never changes. */
   private readonly nominalEnd: number;
   private end: number;
 
