@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from functools import partial
-from typing import Annotated, Any
+from typing import Annotated, Any, Self
 
 from pydantic import ConfigDict, Field
 
@@ -70,6 +70,11 @@ class Drive(MoverSignals, StatedLaw, Frozen):
         """Its signals: the value with its rates, what it exerts, its power."""
         value, effort = (TURN, u.TORQUE) if self.turns else (TRAVEL, u.FORCE)
         return {**value, self.effort: effort, "power": u.POWER}
+
+    def of_links(self, on: str, turns: str | None = None, slides: str | None = None) -> Self:
+        """The same law between other links: nothing else of what this one moves is left."""
+        own = dict.fromkeys(("extends", "moves", "at", "along"))
+        return self.model_copy(update={**own, "turns": turns, "slides": slides, "on_": on})
 
     def track(self, geometry: JointGeometry) -> Track:
         """Of one that moves a point this point, and the line along which its place counts."""

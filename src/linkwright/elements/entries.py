@@ -27,6 +27,10 @@ NumberFault = tuple[Any, Sign, FaultWithin]
 """A condition on numbers, as arithmetic on them: what must have the sign, and the fault of an entry where it hasn't."""
 
 
+class UnknownPlaceError(LookupError):
+    """A place was asked for that a file names but doesn't state: the check of names reports it."""
+
+
 class StatedPlaces(Protocol):
     """Numbers of a file as conditions ask them: in SI, numbers, arrays of samples, or symbols."""
 
@@ -38,7 +42,7 @@ class StatedPlaces(Protocol):
         """The value of an expression."""
 
     def point(self, link: str, name: str) -> Pair:
-        """A named point of a link, in its frame (m)."""
+        """A named point of a link, in its frame (m). Raises :class:`UnknownPlaceError` where the file states none."""
 
     def text_of(self, value: Any, dimension: Dimension) -> str:
         """A value as the file has such ones, with its unit."""

@@ -12,6 +12,7 @@ A moment or force is positive where it drives the first link with the motion to 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from itertools import takewhile
 from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
@@ -135,6 +136,11 @@ class Friction(ForceEntry):
         """The pin, slide or contact."""
         return str(self.pin or self.slide or self.contact)
 
+    def rubs_like(self, other: Friction) -> bool:
+        """Whether another entry is of the same place, between the same links."""
+        own, others = ((one.pin, one.slide, one.contact) for one in (self, other))
+        return own == others and (self.in_ is None or other.in_ is None or {*self.in_} == {*other.in_})
+
     def links(self, mechanism: Any) -> tuple[str, str]:
         """The link that moves and the one against which: of a pin the two of ``in``, else the last and the first
         on it; of a slide the second and the first; of a contact those that touch."""
@@ -186,6 +192,10 @@ class Frictions(ForceKind[Friction]):
         return entry.effort
 
     def faults(self, mechanism: Any, path: Path, entry: Friction) -> Iterator[Finding]:
+        before = takewhile(lambda name: name != path[-1], mechanism.friction)
+        twice = next((name for name in before if mechanism.friction[name].rubs_like(entry)), None)
+        if twice is not None:
+            yield Finding("friction.twice", path, {"other": twice, "joint": entry.joint})
         if entry.contact is not None:
             rolls = getattr(mechanism.followers.get(entry.contact), "roller", None) is not None
             if entry.radius is not None and not rolls:

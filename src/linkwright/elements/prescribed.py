@@ -36,6 +36,10 @@ class Track(NamedTuple):
     base: Pair
     angle: float
 
+    def travel(self, link: Body, on: Body) -> Jet:
+        """How far along the line the point lies (m), with its rates."""
+        return link.point(self.point).minus(on.point(self.base)).dot(on.direction(unit_vector(self.angle)))
+
 
 @dataclass(frozen=True)
 class InnerAngle(Inner):
@@ -53,9 +57,7 @@ class InnerTrack(Inner):
     track: Track
 
     def gap(self, *bodies: Body) -> tuple[Jet, ...]:
-        a, b = bodies
-        point, base, angle = self.track
-        return (a.point(point).minus(b.point(base)).dot(b.direction(unit_vector(angle))),)
+        return (self.track.travel(*bodies),)
 
 
 class PrescribedKind(JointKind):

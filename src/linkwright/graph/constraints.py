@@ -7,13 +7,15 @@ A pin states that its links' points coincide, a slide that its lines do (Nikrave
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any
+from functools import partial
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.data_classes import dataclass
 from linkwright.elements import STILL, Twist
+from linkwright.elements.joint import Inner
 from linkwright.graph.geometry import ZERO, Geometry
 from linkwright.notation import Body, Jet, Pair, Vec
 from linkwright.notation.angles import wrapped
@@ -21,6 +23,10 @@ from linkwright.notation.planar import unit_vector
 from linkwright.structure import FRAME, Topology
 
 Array = NDArray[np.float64]
+T = TypeVar("T")
+
+APART = 1e-6
+"""By how much of the size links are put apart where an equation has no slope."""
 
 
 @dataclass(frozen=True)
@@ -31,6 +37,10 @@ class FollowerRelation:
     motor: str
     at: Callable[[float], tuple[float, float]]
     finest: float
+
+
+def _gap(inner: Inner, bodies: Sequence[Body]) -> Sequence[Jet]:
+    return inner.gap(*bodies)
 
 
 class Constraints:
@@ -104,7 +114,7 @@ class Constraints:
         """What the joints that are neither pins nor slides miss, lengths over the size."""
         found = []
         for c, inner in self.others:
-            gaps = inner.gap(*self._bodies(c.links, at))
+            gaps = self._defined(partial(_gap, inner), self._bodies(c.links, at))
             found += [float(g.d[0]) / self._unit(unit) for g, unit in zip(gaps, c.kind.row_units, strict=True)]
         return np.array(found)
 
@@ -119,10 +129,42 @@ class Constraints:
                 about = bodies[i].anchor.now
                 freedoms = Twist(0.0, about, Pair(self.size, 0.0)), Twist(0.0, about, Pair(0.0, self.size))
                 for k, twist in enumerate((*freedoms, Twist(1.0, about, Pair(0.0, 0.0)))):
-                    rates = inner.rates(bodies, [twist if j == i else STILL for j in range(len(bodies))])
+                    twists = [twist if j == i else STILL for j in range(len(bodies))]
+                    rates = self._defined(partial(inner.rates, twists=twists), bodies)
                     found[row : row + c.rows, 3 * self.index[link] + k] = np.array(rates, dtype=float) / units
             row += c.rows
         return found
+
+    def besides(self, z: Array, multipliers: Array) -> list[tuple[str, Array]]:
+        """What comes with the multipliers of all equations (:meth:`linkwright.elements.joint.Inner.besides`), by joint:
+        what it does to each link, forces (N) and moments over the size, (3 links,)."""
+        at, found = self._poses(z), []
+        row = len(self.names) - sum(c.rows for c, _ in self.others)
+        for c, inner in self.others:
+            bodies, last = self._bodies(c.links, at), row + c.rows
+            # Equations over the size have forces as multipliers; others moments over the size.
+            units = [self.size / self._unit(unit) for unit in c.kind.row_units]
+            wrenches = inner.besides(bodies, (multipliers[row:last] * units).tolist())
+            acting = np.zeros(self.width + 3)
+            for link, body, wrench in zip(c.links, bodies, wrenches, strict=False):
+                own = wrench.at(body.anchor.now)
+                first = 3 * self.index[link]
+                acting[first : first + 3] += np.array([*own.force, own.moment / self.size], dtype=float)
+            if acting.any():
+                found.append((c.joint, acting[: self.width]))
+            row = last
+        return found
+
+    def _defined(self, ask: Callable[[list[Body]], Sequence[T]], bodies: list[Body]) -> Sequence[T]:
+        """An answer of some links; where it isn't defined, as of the direction between centres that coincide, that of
+        links a little apart. Only poses from which a solution is sought are such: no joint closes there."""
+        try:
+            return ask(bodies)
+        except ZeroDivisionError:
+            away = Vec.constant(Pair(APART * self.size, 0.0), 0)
+            first = bodies[0]
+            beside = Body(first.anchor.plus(away), first.local, first.axis, first.turn, first.angle)
+            return ask([beside, *bodies[1:]])
 
     def _unit(self, unit: str) -> float:
         return self.size if unit == "length" else 1.0

@@ -68,6 +68,10 @@ class Motion:
         travel = self.travel(joint)
         return travel if drive.link == self.geometry.mechanism.joints[joint].links[1] else -travel
 
+    def track_value(self, drive: Mover) -> Jet:
+        """The value of a drive that moves a point along a line as it follows from the motion."""
+        return drive.track(self.geometry).travel(self.bodies[drive.link], self.bodies[drive.on])
+
     def drive_axis(self, drive: Mover) -> Pair:
         """Cosine and sine of the value of a drive that turns as it follows from the motion."""
         return self.bodies[drive.link].axis.now.rotated_back(self.bodies[drive.on].axis.now)

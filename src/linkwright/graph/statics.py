@@ -4,6 +4,10 @@ The reactions are the multipliers of the joints' constraints: with the constrain
 A^T r + w = 0 for the applied wrenches w. Its null space are states of self-stress: what it touches is statically
 indeterminate. The null space of A are motions that the joints leave: a structure that has some stands only under
 wrenches that do no work on them (S. Pellegrino, C. R. Calladine 1986).
+
+Some joints exert more than their multipliers, such as teeth, which push gears apart by a share of the tangential
+force's size. These forces b(r) are rows of their own below those of A, with the factor 1; where statics leaves their
+multiplier open, they are open too.
 """
 
 from __future__ import annotations
@@ -23,6 +27,9 @@ Array = NDArray[np.float64]
 
 TOLERANCE = 1e-9
 """Singular values below this share of the largest one count as zero; so does what a null space touches by less."""
+ROUNDS = 20
+"""How often forces that follow from multipliers are put into the equilibrium that gives these; mostly once is enough,
+as they do no work on motions that the joints leave."""
 
 
 @dataclass(frozen=True)
@@ -63,7 +70,7 @@ class Statics:
         return u, values[values > TOLERANCE * values.max(initial=0.0)], v
 
     @cached_property
-    def stresses(self) -> Array:
+    def self_stresses(self) -> Array:
         """The states of self-stress, orthonormal: (constraints, states)."""
         _, values, v = self._factors
         return v[values.size :].T
@@ -74,17 +81,62 @@ class Statics:
         u, values, _ = self._factors
         return u[:, values.size :]
 
+    def _answer(self, applied: Array) -> Array:
+        """The constraints' reactions to what is applied, of all in equilibrium the smallest: (constraints,)."""
+        u, values, v = self._factors
+        return -v[: values.size].T @ ((u[:, : values.size].T @ applied) / values)
+
+    @cached_property
+    def _solved(self) -> tuple[Array, list[tuple[str, Array]]]:
+        """The constraints' reactions, and what follows from them (:meth:`Constraints.besides`)."""
+        following: list[tuple[str, Array]] = []
+        answer = self._answer(self.applied)
+        for _ in range(ROUNDS):
+            following = self.system.besides(self.z, answer)
+            before, answer = answer, self._answer(sum((own for _, own in following), self.applied))
+            if np.abs(answer - before).max(initial=0.0) <= 1e-14 * np.abs(answer).max(initial=0.0):
+                break
+        return answer, following
+
     @cached_property
     def multipliers(self) -> Array:
-        """The constraints' reactions, of all in equilibrium the smallest: (constraints,)."""
-        u, values, v = self._factors
-        return -v[: values.size].T @ ((u[:, : values.size].T @ self.applied) / values)
+        """The factors of all that acts between links: the constraints' reactions, then 1 for each force that follows
+        from them, (actions,)."""
+        answer, following = self._solved
+        return np.concatenate([answer, np.ones(len(following))])
+
+    @cached_property
+    def actions(self) -> Array:
+        """What a factor of 1 does to each link: A, and below it the forces that follow, (actions, 3 links)."""
+        return np.concatenate([self.slopes, *(own[None] for _, own in self._solved[1])])
+
+    @cached_property
+    def acting_joints(self) -> Array:
+        """Whose each of the actions is."""
+        return np.array([*self.system.rows, *(joint for joint, _ in self._solved[1])])
+
+    @cached_property
+    def stresses(self) -> Array:
+        """Changes of the actions' factors that leave the equilibrium as it is: (actions, states)."""
+        answer, following = self._solved
+        open_ = [np.concatenate([state, np.zeros(len(following))]) for state in self.self_stresses.T]
+        unloaded = dict(self.system.besides(self.z, np.zeros(answer.size)))
+        for k, (joint, own) in enumerate(following):
+            rows = np.array(self.system.rows) == joint
+            if not np.abs(self.self_stresses[rows]).max(initial=0.0) > TOLERANCE:
+                continue
+            changing = own - unloaded.get(joint, 0.0)  # what doesn't depend on the multiplier is known
+            if np.abs(changing).any():
+                open_.append(np.concatenate([self._answer(own), np.eye(len(following))[k]]))
+        return np.array(open_).reshape(-1, answer.size + len(following)).T
 
     @property
     def relative_residual(self) -> float:
         """The largest force left on a link (N, moments over the size), over the largest one there is."""
-        left = self.slopes.T @ self.multipliers + self.applied
-        largest = max(np.abs(self.applied).max(initial=0.0), np.abs(self.multipliers).max(initial=0.0))
+        answer, _ = self._solved
+        acting = sum((own for _, own in self.system.besides(self.z, answer)), self.applied)
+        left = self.slopes.T @ answer + acting
+        largest = max(np.abs(self.applied).max(initial=0.0), np.abs(answer).max(initial=0.0))
         return float(np.abs(left).max(initial=0.0) / largest) if largest else 0.0
 
     @property
@@ -97,7 +149,7 @@ class Statics:
         return [link for link, rate in zip(self.system.links, rates, strict=True) if rate > TOLERANCE * rates.max()]
 
     def component(self, row: Array) -> float | None:
-        """A linear combination (constraints,) of the multipliers, where they determine it."""
+        """A linear combination (actions,) of the multipliers, where they determine it."""
         open_ = np.abs(row @ self.stresses).max(initial=0.0) > TOLERANCE * np.abs(row).max(initial=0.0)
         return None if open_ else float(row @ self.multipliers) + 0.0
 
@@ -105,11 +157,11 @@ class Statics:
 
     def on(self, joint: str, link: str) -> Array:
         """What a joint does to a link, by the multipliers: force and moment (N, N m) about the link's origin,
-        (3, constraints). What it does to the frame is the opposite of what it does to all others."""
-        rows = np.array(self.system.rows) == joint
+        (3, actions). What it does to the frame is the opposite of what it does to all others."""
+        rows = self.acting_joints == joint
         unit = np.array([1.0, 1.0, self.system.size])[:, None]
         if link != FRAME:
-            return np.asarray(np.where(rows, self.slopes[:, self.system.columns_of([link])].T, 0.0) * unit)
+            return np.asarray(np.where(rows, self.actions[:, self.system.columns_of([link])].T, 0.0) * unit)
         found = np.zeros((3, rows.size))
         for other in self.system.links:
             own = self.on(joint, other)
@@ -129,7 +181,7 @@ class Statics:
         return np.array([c * local[0] - s * local[1], s * local[0] + c * local[1]]), np.array([c, s])
 
     def reaction(self, contact: Contact) -> dict[str, Array]:
-        """The force of a contact's link on what it touches, by its components over the multipliers (constraints,):
+        """The force of a contact's link on what it touches, by its components over the multipliers (actions,):
         x, y, and of a slide ``normal`` and ``moment``, as signals have them."""
         if contact.on == contact.joint:  # of the link on the pin
             rows = -self.on(contact.joint, contact.link)

@@ -1,9 +1,14 @@
-"""A mechanism that stands at one pose, as the graph of its signals: all rates are zero."""
+"""A mechanism that stands at one pose, as the graph of its signals: all rates are zero.
+
+Its reactions come from statics (:mod:`linkwright.graph.statics`), which may leave some undetermined. On this graph they
+are symbols without a value, so that every row that depends on one can be recognised (:meth:`StillGraph.of_reactions`).
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import field
+from functools import cached_property
 from typing import Any
 
 import casadi as ca
@@ -12,7 +17,7 @@ from numpy.typing import NDArray
 
 from linkwright.data_classes import dataclass
 from linkwright.graph.actions import wrenches
-from linkwright.graph.forces import own_wrench
+from linkwright.graph.forces import Forces, own_wrench
 from linkwright.graph.geometry import ZERO, Geometry
 from linkwright.graph.graph import Graph
 from linkwright.graph.motion import Motion
@@ -22,6 +27,32 @@ from linkwright.graph.view import View
 from linkwright.notation import MAX_ORDER, Body, Jet, Pair, Vec, Wrench
 from linkwright.notation.symbols import Symbol
 from linkwright.structure import FRAME
+
+
+class _FreeReactions(dict[tuple[str, str], Wrench]):
+    """By joint and link a wrench of three symbols of its own, made where it is asked for."""
+
+    def __missing__(self, key: tuple[str, str]) -> Wrench:
+        x, y, moment = (Symbol.named(f"reaction/{'/'.join(key)}/{part}") for part in ("x", "y", "moment"))
+        self[key] = Wrench(Pair(x, y), moment, ZERO)
+        return self[key]
+
+    @property
+    def symbols(self) -> Any:
+        """All symbols made so far."""
+        return ca.vertcat(*(part for one in self.values() for part in (*one.force, one.moment)))
+
+
+@dataclass
+class StillView(View):
+    """The expressions of a mechanism at rest, with reactions that are symbols."""
+
+    free: _FreeReactions = field(default_factory=_FreeReactions)
+
+    @cached_property
+    def forces(self) -> Forces:
+        return Forces(self.free, shaking=self.free[FRAME, FRAME])
+
 
 Pose = Mapping[str, NDArray[np.float64]]
 """By moving link the place of its origin and its angle (m, m, rad)."""
@@ -44,12 +75,19 @@ class StillGraph(Graph):
             motion.bodies[link] = Body(at, ZERO, axis, Jet.constant(0.0, motion.order - 1), known)
         return motion
 
+    @cached_property
+    def _still(self) -> StillView:
+        given = {name: Symbol.named(name) for name in self.inputs}
+        parameters = ca.SX.sym("p", len(self.parameters))
+        return StillView(self, ca.vertcat(*given.values()), parameters, self.motion(), {}, given, [])
+
     def _view(self, order: int) -> View:
-        if 0 not in self._views:
-            given = {name: Symbol.named(name) for name in self.inputs}
-            parameters = ca.SX.sym("p", len(self.parameters))
-            self._views[0] = View(self, ca.vertcat(*given.values()), parameters, self.motion(), {}, given, [])
-        return self._views[0]
+        return self._still
+
+    def of_reactions(self, named: Named) -> bool:
+        """Whether a row depends on reactions, to which statics alone can give a value."""
+        expression = ca.SX(self._still.row(named))
+        return bool(ca.depends_on(expression, self._still.free.symbols))
 
     @property
     def _bare(self) -> View:

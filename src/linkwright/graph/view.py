@@ -270,6 +270,8 @@ class View:
         if drive.slides:
             joint = self.graph.structure.topology.acting(name)[0].joint
             return self.motion.slide_value(drive, joint).d[order]
+        if drive.moves:
+            return self.motion.track_value(drive).d[order]
         link, on = self.motion.bodies[drive.link], self.motion.bodies[drive.on]
         if order:
             return link.turn.d[order - 1] - on.turn.d[order - 1]

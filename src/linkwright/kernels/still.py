@@ -50,9 +50,8 @@ class Still(Compiled):
         return Statics(self.system, self.z, dict(zip((FRAME, *self.system.links), rows, strict=True)))
 
     def evaluate(self, names: Sequence[Named], t: Array, rates: bool = False) -> Array:
-        """The named rows at times ``t`` (s): all that isn't a force; those of forces are NaN."""
-        signals = zip(names, self.graph.signals(names), strict=True)
-        still = [name for name, signal in signals if signal is None or signal.kind not in ("force", "shaking")]
+        """The named rows at times ``t`` (s); NaN are those that depend on reactions, which :meth:`statics` gives."""
+        still = [name for name in names if not self.standing.of_reactions(name)]
         y = np.full((len(names), 2 if rates else 1, t.size), np.nan)
         if still:
             known = super().evaluate(still, t, rates)

@@ -26,6 +26,8 @@ POINTS, FEWEST = 8, 16
 """Points of a panel; the fewest panels of an interval."""
 HALVED = 5
 """So often panels are halved for all expressions; one whose mean still changes then is integrated by itself."""
+MOST = 1 << 21
+"""So many integrals of panels are kept at most (16 MB), for all expressions together."""
 
 
 def look_ahead(probes: Sequence[Probe]) -> None:
@@ -87,7 +89,7 @@ def _integrals(probes: Sequence[Probe], powers: Sequence[int], sizes: Array) -> 
         total += sums[:, stands].sum(axis=1)
         more = np.tile(~stands, 2)
         lows, highs, here = np.append(lows, middle)[more], np.append(middle, highs)[more], halves[:, more]
-        if not lows.size:
+        if not 0 < 4 * lows.size * len(nodes) <= MOST:
             break
     return total + here.sum(axis=1), ~off.any(axis=1)
 

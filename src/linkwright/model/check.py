@@ -149,7 +149,7 @@ def _drives(m: Mechanism) -> Iterator[Finding]:
             if drive.output not in KINDS["output"].known(m):
                 continue
             entry = m.prescribed(name)
-            if not entry.moves and {entry.link, entry.on} == {drive.link, drive.on}:
+            if not (entry.moves or drive.moves) and {entry.link, entry.on} == {drive.link, drive.on}:
                 data = {"name": drive.output, "link": drive.link, "on": drive.on}
                 yield Finding("drive.output-own", (*path, "output"), data)
                 continue

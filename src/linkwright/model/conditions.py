@@ -7,6 +7,7 @@ of which a page makes the same conditions.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from functools import partial
 from itertools import chain
 from typing import Any
@@ -15,7 +16,7 @@ import numpy as np
 
 from linkwright.data_classes import dataclass
 from linkwright.elements.distances import ByDistances, placed
-from linkwright.elements.entries import NumberFault
+from linkwright.elements.entries import NumberFault, UnknownPlaceError
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Name
@@ -126,7 +127,10 @@ class _Places:
         return self.values(expression, dimension)
 
     def point(self, link: str, name: str) -> Pair:
-        found: Pair = self.q.mechanism.links[link].place(self.values, name)
+        entry = self.q.mechanism.links.get(link)
+        if entry is None or not placed(entry.points, name):
+            raise UnknownPlaceError(link, name)
+        found: Pair = entry.place(self.values, name)
         return found
 
     def text_of(self, value: Any, dimension: Dimension) -> str:
@@ -141,11 +145,17 @@ def _elements(q: Quantities, values: Values, nominal: bool) -> Iterator[Conditio
         *((one.path, one.entry.number_faults(values)) for one in m.acting()),
         *((("paths", name), path.number_faults(values)) for name, path in m.paths.items()),
         *((("joints", name), joint.number_faults(values)) for name, joint in m.joints.items()),
-        *((("joints", name), joint.place_faults(places, nominal)) for name, joint in m.joints.items()),
+        *((("joints", name), _where_placed(joint.place_faults(places, nominal))) for name, joint in m.joints.items()),
     ]
     for element, faults in stated:
         for margin, sign, (code, data, *path) in faults:
             yield Condition(margin, sign, Finding(code, (*element, *path), data))
+
+
+def _where_placed(faults: Iterator[NumberFault]) -> Iterator[NumberFault]:
+    """The faults of an element up to the first place that no link has, whatever other element names it."""
+    with suppress(UnknownPlaceError):
+        yield from faults
 
 
 def _rods(q: Quantities, values: Values) -> Iterator[Condition]:

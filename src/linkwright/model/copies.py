@@ -41,6 +41,8 @@ from linkwright.model.shifted import shifted_link, shifted_rule
 from linkwright.model.sketch import Drawn, sketch_faults, with_sketch
 from linkwright.model.walk import all_fields
 
+MAX_DEPTH = 20
+"""So many sub-assemblies may stand in one another."""
 UNMIRRORED = ("parameters", "tables", "laws", "windows", "measures", "require")
 """The sections that have no place in the plane."""
 
@@ -51,11 +53,23 @@ def with_copies(m: Mechanism) -> Placed:
         return Placed(m)
     placing = _Placing(m)
     placed = placing.place(m, ())
+    used = _used(m)
     for name in m.subassemblies:
-        if name not in placing.flat:
+        if name not in used:
             unused = Finding("subassembly.unused", ("subassemblies", name), {"name": name}, severity="warning")
             placing.findings.append(unused)
     return replace(placed, findings=tuple(placing.findings))
+
+
+def _used(m: Mechanism) -> set[str]:
+    """The sub-assemblies of which there is a copy in the mechanism, or in what it has copies of."""
+    used: set[str] = set()
+    open_ = [m.copies]
+    while open_:
+        more = {copy.of for copy in open_.pop().values()} & m.subassemblies.keys() - used
+        used |= more
+        open_ += (m.subassemblies[name].copies for name in more)
+    return used
 
 
 @dataclass
@@ -74,6 +88,8 @@ class _Placing:
     flat: dict[str, Placed | None] = field(default_factory=dict)
     open: list[str] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
+    too_large: bool = False
+    """Whether copies make more than a mechanism may have."""
 
     def note(self, code: str, path: Path, **data: Any) -> None:
         """Add a finding."""
@@ -135,7 +151,10 @@ class _Placing:
         failed: set[str] = set()
         for name, copy in m.copies.items():
             at = (*path, "copies", name)
-            if (made := self.copy(name, copy, at)) is None or not self._merge(entries, made, at):
+            if (count := len(copies) + 1 + self._copies_within(copy)) > MAX_ENTRIES:
+                self._too_many(at, count, MAX_ENTRIES, "copies")
+            made = None if self.too_large else self.copy(name, copy, at)  # each further copy would say so once more
+            if made is None or not self._merge(entries, made, at):
                 failed.add(name)
             else:
                 copies += made.copies
@@ -143,6 +162,12 @@ class _Placing:
         merged = {section: FrozenDict(found) for section, found in entries.items()}
         self._check_joins(m, copies, {FRAME, *ports}, path)
         return Placed(m.model_copy(update=merged | plain), tuple(copies), failed=frozenset(failed))
+
+    def _copies_within(self, copy: Copy) -> int:
+        """The copies, of any depth, in what a copy is of."""
+        able = copy.of in self.m.subassemblies and copy.of not in self.open and len(self.open) < MAX_DEPTH
+        flat = self.flattened(copy.of) if able else None
+        return 0 if flat is None else len(flat.copies)
 
     def _merge(self, entries: dict[str, dict[str, Any]], made: _Made, at: Path) -> bool:
         """Add what a copy stands for; what is there already is noted."""
@@ -153,8 +178,11 @@ class _Placing:
                     return False
             limit = MAX_LINKS if section == "links" else MAX_ENTRIES
             if (count := len(entries[section]) + len(added)) > limit:
-                self.note("subassembly.too-many", at, count=count, limit=limit, section=section)
-                return False
+                return self._too_many(at, count, limit, section)
+        for name, link in made.shared.items():
+            known = entries["links"].get(name)
+            if known is not None and (count := len({**known.points, **link.points})) > MAX_ENTRIES:
+                return self._too_many(at, count, MAX_ENTRIES, "points")
         for section, added in made.entries.items():
             entries[section] |= added
         for name, link in made.shared.items():
@@ -164,6 +192,12 @@ class _Placing:
                 points = FrozenDict({**known.points, **link.points})
                 entries["links"][name] = known.model_copy(update={"points": points})
         return True
+
+    def _too_many(self, at: Path, count: int, limit: int, section: str) -> bool:
+        """Note that a copy makes too much of something; nothing more is added then."""
+        self.note("subassembly.too-many", at, count=count, limit=limit, section=section)
+        self.too_large = True
+        return False
 
     def _check_joins(self, m: Mechanism, copies: list[PlacedCopy], also: set[str], path: Path) -> None:
         """Note what copies are joined to and isn't there: neither in what they stand in nor in other copies. A name
@@ -185,6 +219,10 @@ class _Placing:
         if copy.of in self.open:
             circle = Joined([*self.open[self.open.index(copy.of) :], copy.of], " > ")
             self.note("subassembly.circular", (*path, "of"), name=copy.of, circle=circle)
+            return None
+        if len(self.open) >= MAX_DEPTH:
+            self.note("subassembly.deep", (*path, "of"), limit=MAX_DEPTH)
+            self.too_large = True
             return None
         if (flat := self.flattened(copy.of)) is None:
             return None

@@ -118,8 +118,8 @@ class Mechanism(Sections, Head):
             return Coordinate(path, entry.output, self.path_drives(entry.output).index(mover) > 0)
         if (joint := self.joints.get(entry.output)) is not None:
             on, link = joint.links
-            return entry.model_copy(update={"turns": None, "slides": link, "on_": on})
-        return entry.model_copy(update={"turns": entry.output, "slides": None, "on_": FRAME})
+            return entry.of_links(slides=link, on=on)
+        return entry.of_links(turns=entry.output, on=FRAME)
 
     def path_drives(self, path: str) -> list[str]:
         """The drives that move a point along a path: of two the first prescribes x, the second y."""

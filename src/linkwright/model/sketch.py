@@ -127,7 +127,7 @@ class _Sketch:
         """What a drive prescribes, in the sketch: an angle between two links, a cylinder's length, a travel on the
         frame; of a drive with an output, that of the output.
         """
-        if drive.moves:
+        if drive.moves and not drive.output:
             return self.along(drive)
         slide = drive.output or drive.extends
         if slide in self.m.cylinders:

@@ -14,7 +14,7 @@ from linkwright.elements.mover import Mover
 from linkwright.elements.points import AXES
 from linkwright.expressions import units as u
 from linkwright.expressions.units import Dimension
-from linkwright.findings import Joined, Said, Text
+from linkwright.findings import Joined, ModelError, Said, Text
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
 from linkwright.model.plausible import amount
@@ -91,7 +91,7 @@ def _motion(compiled: Compiled, name: str) -> Said:
     """The law of a drive: its speed (and in rpm), its start; of other laws their text, and the speed at the start."""
     q, turning = compiled.quantities, bool(compiled.mechanism.prescribed(name).turns)
     value, rate, change = (u.ANGLE, u.OMEGA, u.ALPHA) if turning else (u.LENGTH, u.SPEED, u.ACCELERATION)
-    at = [float(np.asarray(d).flat[0]) for d in compiled.laws[name](np.zeros(1)).d[:3]]
+    at = _at_start(compiled, name)
     speed = at[1] if abs(at[1]) > ROUND_OFF * _speed_scale(compiled, name, at) else 0.0
     said = {"start": amount(q, at[0], value), "speed": _speed(compiled, speed, rate)}
     if (follower := compiled.mechanism.followers.get(name)) is not None:
@@ -115,15 +115,32 @@ def _motion(compiled: Compiled, name: str) -> Said:
     return Said("fact.law.constant", **said)
 
 
+def _at_start(compiled: Compiled, name: str) -> list[float]:
+    """The value of a law (rad or m) at t = 0, and its rates."""
+    return [float(np.asarray(d).flat[0]) for d in compiled.laws[name](np.zeros(1)).d]
+
+
+def _drive_scale(at: list[float]) -> float:
+    """A speed of the size that a law has, from its value and rates at the start, of which the lower ones may be zero:
+    x^(1 - 1/k) times the k-th rate to the power of 1/k."""
+    sizes = [abs(at[0]) ** (1.0 - 1.0 / k) * abs(rate) ** (1.0 / k) for k, rate in enumerate(at[2:], start=2)]
+    return float(max(sizes))
+
+
 def _speed_scale(compiled: Compiled, name: str, at: list[float]) -> float:
-    """A speed of the size that a law has, from its value, speed and acceleration at the start; of a follower, which may
-    begin with a dwell, the maximum speed over a revolution of its motor."""
-    scale = math.sqrt(abs(at[0] * at[2]))
+    """The same of any mover; of a follower, which may begin with a dwell, the maximum speed over a revolution of its
+    motor, if that turns as motion starts."""
+    scale = _drive_scale(at)
     if (follower := compiled.mechanism.followers.get(name)) is None:
         return scale
-    turning = abs(float(np.asarray(compiled.laws[follower.motor](np.zeros(1)).d[1]).flat[0]))
-    t = np.linspace(0.0, 2 * math.pi / turning if turning else 0.0, INSTANTS)
-    return float(np.fmax.reduce(np.abs(np.ravel(compiled.laws[name](t).d[1])), initial=scale))
+    motor = _at_start(compiled, follower.motor)
+    if abs(motor[1]) <= ROUND_OFF * _drive_scale(motor):
+        return scale
+    t = np.linspace(0.0, 2 * math.pi / abs(motor[1]), INSTANTS)
+    try:
+        return float(np.fmax.reduce(np.abs(np.ravel(compiled.laws[name](t).d[1])), initial=scale))
+    except ModelError:  # the motor's law doesn't last for a revolution
+        return scale
 
 
 def _speed(compiled: Compiled, speed: float, rate: Dimension) -> str:

@@ -29,8 +29,9 @@ from linkwright.notation.jets import call
 EXACT, VARIED = 1e-6, 1e-2
 """By what share of the centre distance the pin's radius may differ from that of an entry without shock, where numbers
 are nominal, and where they vary by tolerances."""
-FEWEST = 3
-"""Slots: with two, the pin's circle would go through the wheel's centre."""
+FEWEST, MOST = 3, 100
+LIMITS = {"fewest": FEWEST, "most": MOST}
+"""Slots: with two, the pin's circle would go through the wheel's centre; each one is drawn."""
 WHOLE = 1e-9
 """Numbers of slots are whole but for this."""
 
@@ -64,8 +65,9 @@ class GenevaEntry(WheelsEntry, FollowerEntry):
     def place_faults(self, places: StatedPlaces, nominal: bool) -> Iterator[NumberFault]:
         n = places.number(self.slots, u.PURE)
         if nominal:
-            yield WHOLE - abs(n - np.round(n)), Sign.POSITIVE, ("geneva.slots", {}, "slots")
-        yield n - FEWEST + WHOLE, Sign.POSITIVE, ("geneva.slots", {}, "slots")
+            yield WHOLE - abs(n - np.round(n)), Sign.POSITIVE, ("geneva.slots", LIMITS, "slots")
+        yield n - FEWEST + WHOLE, Sign.POSITIVE, ("geneva.slots", LIMITS, "slots")
+        yield MOST - n + WHOLE, Sign.POSITIVE, ("geneva.slots", LIMITS, "slots")
         mechanism, driver = places.mechanism, self.wheels[0]
         ends = self.carrier_points(mechanism) if self.carrier in mechanism.links else [None]
         known = mechanism.links[driver].points if driver in mechanism.links else {}

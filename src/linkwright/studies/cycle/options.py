@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -14,13 +15,17 @@ from linkwright.expressions.fields import Expression, Frozen, fault
 from linkwright.expressions.typed_fields import Quantity, Sign
 from linkwright.expressions.unknown import unknown
 from linkwright.expressions.written import unexpected
-from linkwright.findings import Finding, Term
+from linkwright.findings import Finding, ModelError, Term
 from linkwright.kernels import Compiled
 from linkwright.model.conditions import Condition, Values
 from linkwright.studies.numbers import constant
 
 LONGEST = 1e12
 """No run is longer (s)."""
+LARGEST_ANGLE = 1e-8 / np.finfo(float).eps
+"""Up to here (rad) an angle is known to 1e-8 rad; beyond it poses are round-off."""
+LOOKS = 33
+"""At so many times of the run angles are looked at."""
 
 
 TURNS = re.compile(r"\s*((?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s+(\w+)\s*")
@@ -62,6 +67,11 @@ def beside(info: ValidationInfo) -> CycleOptions | None:
 
 def span(compiled: Compiled, options: CycleOptions) -> tuple[float, list[Finding]]:
     """The length of the run (s), and what is wrong with it."""
+    seconds, found = _stated_span(compiled, options)
+    return seconds, found or [*_unresolved_angles(compiled, seconds)]
+
+
+def _stated_span(compiled: Compiled, options: CycleOptions) -> tuple[float, list[Finding]]:
     if options.turns is not None:
         return _turns(compiled, options.turns)
     key, length = ("period", options.period) if options.period is not None else ("duration", options.duration)
@@ -91,6 +101,20 @@ def length_condition(compiled: Compiled, options: CycleOptions, value: Values) -
     seconds = value(length, u.TIME)
     _, (finding,) = _option_fault(key, Term("length-positive"))
     return seconds, Condition(seconds, Sign.POSITIVE, finding)
+
+
+def _unresolved_angles(compiled: Compiled, seconds: float) -> Iterator[Finding]:
+    """Drives and followers that turn so far that their angles are off by round-off."""
+    for name, law in compiled.laws.items():
+        if not compiled.mechanism.prescribed(name).turns:
+            continue
+        try:
+            angle = np.abs(law(np.linspace(0.0, seconds, LOOKS)).d[0]).max()
+        except ModelError:  # the study itself tells where a law has no value
+            continue
+        if angle > LARGEST_ANGLE:
+            data = {"name": name, "turns": f"{angle / (2 * np.pi):.3g}", "limit": f"{LARGEST_ANGLE / (2 * np.pi):.2g}"}
+            yield Finding("motion.angle-too-large", compiled.mechanism.path_of(name), data)
 
 
 def _turns(compiled: Compiled, text: str) -> tuple[float, list[Finding]]:

@@ -72,7 +72,7 @@ class Reactions(Study):
         if not residual <= PROVEN:
             outcome.failures = [Finding("reactions.unproven", PATH, {"residual": f"{residual:.1e}"})]
             return outcome
-        outcome.states, outcome.motions = statics.stresses.shape[1], statics.motions.shape[1]
+        outcome.states, outcome.motions = statics.self_stresses.shape[1], statics.motions.shape[1]
         outcome.equilibrium = statics.relative_residual
         outcome.reactions = list(_reactions(compiled, statics))
         outcome.bars = list(_bars(compiled, statics))
@@ -121,14 +121,14 @@ def _reaction_name(compiled: Still, contact: Contact) -> str:
 
 
 def _bars(compiled: Still, statics: Statics) -> Iterator[TwoForceLink]:
-    """The links that are pinned at two places, don't slide, and bear no load, weight or spring."""
+    """The links that are pinned at two places, have no other joint, and bear no load, weight or spring."""
     topology = compiled.structure.topology
     largest = np.abs(statics.applied).max(initial=0.0)
-    slid = {link for _, joint in compiled.mechanism.prismatic_joints() for link in joint.links}
+    jointed = {link for c in topology.but_pins for link in c.links}
     for link in topology.moving:
         pins = [pin for pin in topology.pins.values() if link in pin.links]
         own = np.abs(statics.wrenches[link]).max()
-        if len(pins) != 2 or link in slid or own > PROVEN * largest:
+        if len(pins) != 2 or link in jointed or own > PROVEN * largest:
             continue
         ends = [statics.system.geometry.point(link, pin.point(link)) for pin in pins]
         arms = [statics.pointed(link, (float(end.x), float(end.y)))[0] for end in ends]

@@ -35,6 +35,11 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "length of a guide.",
         "Remove length: the slide then rubs by its normal force alone, as wedges do.",
     ),
+    "friction.twice": (
+        "The friction of {joint} is given by {other} already.",
+        "Remove one of both, or combine them: one entry can have a coefficient, a static coefficient and viscous "
+        "friction.",
+    ),
     "friction.second-contact": (
         "Friction in the contact of {name} can't be computed, because its follower has contact on two sides.",
         "Remove this friction, or give the follower one contact. Pins, slides and other contacts may have friction.",

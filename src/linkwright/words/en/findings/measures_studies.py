@@ -54,6 +54,12 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "'{name}' makes too many turns in this run for its angle to be tracked continuously.",
         "Make the study run for a shorter time; a run whose only drive turns at constant speed has no such limit.",
     ),
+    "motion.angle-too-large": (
+        "'{name}' reaches {turns} revolutions in this run; double precision resolves angles only up to {limit} "
+        "revolutions.",
+        "Check its speed, law or factor for a wrong unit or power of ten; otherwise make the study run for a shorter "
+        "time.",
+    ),
     "measure.unbounded": (
         "The measure {name} is unbounded: {signal} grows without limit towards t = {time}.",
         "Choose a window without that instant, or measure the numerator and the denominator separately.",

@@ -71,6 +71,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "With the name of the copy in front, {name} is longer than {limit} characters.",
         "Use a shorter name for the copy or for the element.",
     ),
+    "subassembly.deep": (
+        "Copies of sub-assemblies are nested more than {limit} levels deep.",
+        "Write the inner levels as links and joints of one sub-assembly.",
+    ),
     "subassembly.too-many": (
         "With this copy there would be {count} entries in {section}; at most {limit} are possible.",
         "Place fewer copies, or split the model.",

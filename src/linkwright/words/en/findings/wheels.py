@@ -114,7 +114,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "Name the link that is pinned to driver and wheel at their centres, for example 'carrier: arm'.",
     ),
     "geneva.slots": (
-        "The number of slots isn't a whole number of at least 3.",
+        "The number of slots isn't a whole number from {fewest} to {most}.",
         "For example slots: 4, or 6 for a smaller peak acceleration.",
     ),
     "geneva.concentric": (

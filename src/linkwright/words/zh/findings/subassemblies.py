@@ -66,6 +66,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "加上副本名称后，{name} 超过 {limit} 个字符。",
         "缩短副本或元素的名称。",
     ),
+    "subassembly.deep": (
+        "子装配的副本嵌套超过 {limit} 层。",
+        "将内层各级合并为一个子装配的构件和运动副。",
+    ),
     "subassembly.too-many": (
         "加上此副本后，{section} 中将有 {count} 个条目，最多允许 {limit} 个。",
         "减少副本，或拆分模型。",

@@ -102,7 +102,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "用 carrier 给出在两个中心处与拨盘和槽轮铰接的构件，例如“carrier: arm”。",
     ),
     "geneva.slots": (
-        "槽数不是大于等于 3 的整数。",
+        "槽数不是 {fewest} 到 {most} 之间的整数。",
         "例如 slots: 4；要减小最大角加速度可用 6。",
     ),
     "geneva.concentric": (
