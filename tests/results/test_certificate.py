@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -19,8 +20,12 @@ from linkwright.compilation import compile_mechanism
 from linkwright.graph.rows import BodyPlace, Named
 from linkwright.kernels import Compiled
 from linkwright.model.document import load
-from linkwright.results.certificate import Certificate, certify
+from linkwright.results import Result
+from linkwright.results.certificate import RESIDUALS, Certificate, Nearest, certify
 from linkwright.results.run import Run
+from linkwright.studies.cycle.study import unproven
+from linkwright.studies.cycle.verification import checks
+from linkwright.words import in_language
 
 Array = NDArray[np.float64]
 SPRUNG = Path(__file__).parents[1] / "model" / "data" / "sprung.yaml"
@@ -273,3 +278,47 @@ def test_what_newton_solves_is_followed_closely() -> None:
     assert steps > 5
     assert 0 < correction < 1e-2
     assert certify(Run(compiled_from(four_bar()), 0.0, 1.0, 10)).followed == {}
+
+
+# One rule: what fails is told in every way.
+
+FAILING: dict[str, dict[str, Any]] = {
+    **{name: {name: 1e-3} for name in (*RESIDUALS, "measures")},
+    "mobility": {"mobility": 2},
+    "nearest": {"nearest": Nearest("coupler-rocker", 1e-8, 0.5)},
+    "followed": {"followed": {"coupler-rocker": (12, 0.5)}},
+}
+"""By check what makes it fail."""
+
+
+def all_checks() -> Certificate:
+    """A certificate for which there is something to check of every kind."""
+    whole = certify(Run(compiled_from(feeder()), 0.0, 1.3, 20))
+    return replace(whole, starting=0.0, measures=0.0, followed={"coupler-rocker": (12, 1e-4)})
+
+
+def test_each_check_is_made_to_fail() -> None:
+    """Of modes that are kept there is no figure that could fail: a motion ends where a group would leave its mode."""
+    certificate = all_checks()
+    names = [claim.name for claim in certificate.claims()]
+    assert {*names} == {*FAILING, "branches"} and len(names) == len(FAILING) + 1
+    assert certificate.sound() and all(check.ok for check in checks(certificate, "1 s"))
+
+
+@pytest.mark.parametrize("name", FAILING)
+@pytest.mark.parametrize("bad", [False, True])
+def test_a_check_that_fails_is_an_error_and_not_sound(name: str, bad: bool) -> None:
+    """What is shown as a cross is an error among the failures, which exit 1, and :meth:`Certificate.sound` says so;
+    residuals that aren't numbers too."""
+    (field, value), run = next(iter(FAILING[name].items())), Run(compiled_from(feeder()), 0.0, 1.3, 20)
+    if bad and isinstance(value, float):
+        value = np.nan
+    certificate = replace(all_checks(), **{field: value})
+    failed = [check.name.key for check in checks(certificate, "1 s") if not check.ok]  # type: ignore[union-attr]
+    assert failed == [f"proof.{name}"]
+    assert not certificate.sound() and [*certificate.unproven()] == [name]
+    (finding,) = unproven(Result(run, certificate=certificate))
+    assert finding.severity == "error" and finding.code in ("motion.unproven", "motion.check-fails")
+    for language in ("en", "zh"):
+        with in_language(language):
+            assert "{" not in finding.what and "{" not in finding.mend

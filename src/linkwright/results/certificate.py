@@ -12,6 +12,7 @@ from linkwright.graph.rows import determinants, spans
 from linkwright.kernels.kernel_selection import KernelChoice, choose
 from linkwright.model.signals import BREAKAWAY
 from linkwright.results.breakaway import creeping, efforts, starting
+from linkwright.results.claims import Claim, claims
 from linkwright.results.independent_check import Reports
 from linkwright.results.quadrature import panel_points
 from linkwright.results.run import Run
@@ -75,13 +76,17 @@ class Certificate:
         every = {name: getattr(self, name) for name in (*RESIDUALS, "measures")}
         return {name: value for name, value in every.items() if value is not None}
 
+    def claims(self, tolerance: float = PROVEN) -> list[Claim]:
+        """All checks, and whether each holds; residuals are to be below ``tolerance``."""
+        return claims(self, tolerance)
+
     def sound(self, tolerance: float = PROVEN) -> bool:
-        """Whether every residual is below ``tolerance``."""
+        """Whether every check holds, of residuals that they are below ``tolerance``."""
         return not self.unproven(tolerance)
 
-    def unproven(self, tolerance: float = PROVEN) -> dict[str, float]:
-        """The residuals that aren't below ``tolerance``."""
-        return {name: value for name, value in self.residuals.items() if not value < tolerance}
+    def unproven(self, tolerance: float = PROVEN) -> dict[str, Claim]:
+        """The checks that don't hold, by name."""
+        return {claim.name: claim for claim in self.claims(tolerance) if not claim.holds}
 
 
 def certify(run: Run) -> Certificate:

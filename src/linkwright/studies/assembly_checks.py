@@ -17,6 +17,7 @@ from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
 from linkwright.results import Run
 from linkwright.results.certificate import nearest
+from linkwright.results.claims import SINGULAR
 from linkwright.results.stationary import stationary
 from linkwright.structure import Group
 
@@ -28,8 +29,8 @@ MANY = 50
 """The most intervals of a group in which it can't be assembled that are told one by one."""
 NEAR = 1e-3
 """A reach that turns below this passes a change point closely (the links come within 3 deg of being in line)."""
-SINGULAR = 1e-7
-"""A normalised group determinant below this is a singular pose: rates and forces lose all their digits there."""
+SMALL = 1e-3
+"""A margin to singularity that isn't above this is worth a warning."""
 
 
 def unassembled(run: Run) -> list[Finding]:
@@ -194,13 +195,19 @@ def singular_throughout(run: Run) -> list[Finding]:
 
 
 def near(run: Run) -> list[Finding]:
-    """A warning for each pose in which a group comes near to a change point, but doesn't meet it."""
+    """A warning for each pose in which a group comes near to a change point, but doesn't meet it, and for the smallest
+    margin of all where it is small for another reason."""
     found = []
     for group in run.compiled.structure.groups:
         if group.modes > 1:
             times = [time for time, reach in touching(run, ReachRow(group.label), NEAR) if reach > TOUCH]
             inner = [time for time in times if run.start < time < run.stop]
             found += [_near(run, group.label, time) for time in inner if not _passed(run, group.label, time)]
+    worst, told = nearest(run), {finding.data["group"] for finding in found}
+    if worst is not None and worst.group not in told and not worst.determinant > SMALL:
+        data = {"group": worst.group, "time": f"{worst.time:.6g}", "margin": f"{worst.determinant:.2g}"}
+        path = ("links", worst.group.split("-")[0])
+        found.append(Finding("motion.small-margin", path, data | drive_value(run, worst.time), severity="warning"))
     return found
 
 

@@ -105,16 +105,26 @@ CHECKS = {
     "work": Term("work"),
     "starting": Term("starting"),
     "measures": Term("measures"),
+    "mobility": Term("mobility-by-rank"),
+    "nearest": Term("margin-to-singularity"),
+    "branches": Term("kept-modes"),
+    "followed": Term("continuation-correction"),
 }
 
 
 def unproven(result: Result) -> list[Finding]:
-    """A finding for each proof of the certificate that fails: figures that can't be trusted."""
+    """A finding for each check of the certificate that fails: figures that can't be trusted."""
     assert result.certificate is not None
-    found = []
-    for name, figure in result.certificate.unproven().items():
-        data = {"check": CHECKS[name], "figure": f"{figure:.1e}" if figure == figure else Term("unknown-share")}
-        found.append(Finding("motion.unproven", ("studies", "cycle"), data))
+    found, residuals = [], result.certificate.residuals
+    for claim in result.certificate.unproven().values():
+        data: dict[str, Any] = {"check": CHECKS[claim.name], "figure": claim.figure}
+        if claim.name in residuals:
+            known = residuals[claim.name] == residuals[claim.name]
+            data["figure"] = claim.figure if known else Term("unknown-share")
+            found.append(Finding("motion.unproven", ("studies", "cycle"), data))
+        else:
+            data["required"] = claim.required
+            found.append(Finding("motion.check-fails", ("studies", "cycle"), data))
     return found
 
 

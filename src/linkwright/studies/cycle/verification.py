@@ -2,18 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from dataclasses import replace
+from collections.abc import Callable
 
 from linkwright.findings import CLAUSES, SENTENCES, Joined, Said, Text
 from linkwright.presentation.blocks import Check
 from linkwright.results import Certificate
-from linkwright.results.certificate import PROVEN
-
-CLOSE = 1e-2
-"""A foretold pose corrected by less than this (rad, or over the size) can't have been mistaken for another mode's."""
-FAR = 1e-3
-"""A normalised determinant over this is well away from a singular pose."""
 
 
 def checks(certificate: Certificate, time: Text) -> list[Check]:
@@ -21,7 +14,15 @@ def checks(certificate: Certificate, time: Text) -> list[Check]:
 
     Only what can fail stands here; what else is to be said of a run is one of its :func:`remarks`.
     """
-    return [check for made in CHECKS for check in made(certificate, time)]
+    return [
+        Check(
+            Said(f"proof.{claim.name}"),
+            claim.figure,
+            SENTENCES_OF.get(claim.name, _residual)(certificate, claim.name, time),
+            claim.holds,
+        )
+        for claim in certificate.claims()
+    ]
 
 
 def remarks(certificate: Certificate) -> list[Text]:
@@ -31,45 +32,34 @@ def remarks(certificate: Certificate) -> list[Text]:
     return [*said, Said("proof.note.kernel", poses=c.poses, kernel=c.kernel, reason=c.choice.reason)]
 
 
-def _residuals(c: Certificate, time: Text) -> Iterator[Check]:
-    for name, value in c.residuals.items():
-        yield _proof(name, f"{value:.1e}", value < PROVEN, poses=c.poses)
+def _residual(c: Certificate, name: str, time: Text) -> Text:
+    return Said(f"proof.{name}.text", poses=c.poses)
 
 
-def _mobility(c: Certificate, time: Text) -> Iterator[Check]:
-    yield _proof("mobility", str(c.mobility), c.mobility == c.gruebler, rank=c.rank, gruebler=c.gruebler)
+def _mobility(c: Certificate, name: str, time: Text) -> Text:
+    return Said("proof.mobility.text", rank=c.rank, gruebler=c.gruebler)
 
 
-def _nearest(c: Certificate, time: Text) -> Iterator[Check]:
-    if (near := c.nearest) is not None:
-        figure, ok = f"{near.determinant:.4g}", near.determinant > FAR
-        check = _proof("nearest", figure, ok, group=near.group, time=time)
-        apart = [Said("proof.nearest.apart")] if c.changes else []
-        yield replace(check, sentence=Joined([check.sentence, *apart], SENTENCES))
+def _nearest(c: Certificate, name: str, time: Text) -> Text:
+    assert c.nearest is not None
+    apart = [Said("proof.nearest.apart")] if c.changes else []
+    return Joined([Said("proof.nearest.text", group=c.nearest.group, time=time), *apart], SENTENCES)
 
 
-def _branches(c: Certificate, time: Text) -> Iterator[Check]:
-    if kept := [str(rule) for rule in c.branches.values() if rule]:
-        text = Said(f"proof.branches.{'changed' if c.changes else 'text'}", branches=Joined(kept, CLAUSES))
-        yield Check(Said("proof.branches"), str(len(kept)), text, ok=True)
+def _branches(c: Certificate, name: str, time: Text) -> Text:
+    kept = [str(rule) for rule in c.branches.values() if rule]
+    return Said(f"proof.branches.{'changed' if c.changes else 'text'}", branches=Joined(kept, CLAUSES))
 
 
-def _continuation_check(c: Certificate, time: Text) -> Iterator[Check]:
-    if c.followed:
-        steps, worst = (max(column) for column in zip(*c.followed.values(), strict=True))
-        groups = Joined(c.followed)
-        yield _proof("followed", f"{worst:.1e}", worst < CLOSE, groups=groups, steps=steps)
+def _followed(c: Certificate, name: str, time: Text) -> Text:
+    steps = max(steps for steps, _ in c.followed.values())
+    return Said("proof.followed.text", groups=Joined(c.followed), steps=steps)
 
 
-CHECKS: tuple[Callable[[Certificate, Text], Iterator[Check]], ...] = (
-    _residuals,
-    _mobility,
-    _nearest,
-    _branches,
-    _continuation_check,
-)
-"""In the order in which they are shown; each gives a line, or none where there is nothing of its kind."""
-
-
-def _proof(name: str, figure: str, ok: bool, **data: object) -> Check:
-    return Check(Said(f"proof.{name}"), figure, Said(f"proof.{name}.text", **data), ok)
+SENTENCES_OF: dict[str, Callable[[Certificate, str, Text], Text]] = {
+    "mobility": _mobility,
+    "nearest": _nearest,
+    "branches": _branches,
+    "followed": _followed,
+}
+"""What is said of the checks that aren't residuals."""

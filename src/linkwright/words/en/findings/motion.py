@@ -115,6 +115,16 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "Check for dimensions of very different size, a point far away, or a nearly singular position; the "
         "certificate in the report gives details. If there is none, please report the model as a bug of linkwright.",
     ),
+    "motion.small-margin": (
+        "At t = {time} s ({drive} = {value} {unit}) {group} is close to a singular position (margin {margin}; 1 is "
+        "best, 0 singular): forces are large there, and small errors of lengths move the links far.",
+        "Keep the motion farther away from this position, or change the lengths.",
+    ),
+    "motion.check-fails": (
+        "Verification failed: {check} is {figure} (required: {required}).",
+        "Check for dimensions of very different size or a nearly singular position; the certificate in the report "
+        "gives details. If there is none, please report the model as a bug of linkwright.",
+    ),
     "motion.not-periodic": (
         "The motion isn't periodic: after {period}, point {element} is {distance} {unit} from its start.",
         "Correct the period, or give duration instead of period.",

@@ -100,6 +100,15 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "验证未通过：{check}的相对误差为 {figure}（限值 1e-9）。",
         "检查是否存在数量级相差悬殊的尺寸、距离很远的点或接近奇异位形的位置；详情见报告中的“验证”部分。若均不存在，则为 linkwright 的缺陷，应连同模型一起报告。",
     ),
+    "motion.small-margin": (
+        "在 t = {time} s（{drive} = {value} {unit}）时，杆组 {group} 接近奇异位形（裕度为 {margin}；1 为最佳，0 为奇异）："
+        "此处的力很大，微小的长度误差会使构件产生很大的位移。",
+        "使运动远离该位置，或更改各长度。",
+    ),
+    "motion.check-fails": (
+        "验证未通过：{check}为 {figure}（要求：{required}）。",
+        "检查是否存在数量级相差悬殊的尺寸或接近奇异位形的位置；详情见报告中的“验证”部分。若均不存在，则为 linkwright 的缺陷，应连同模型一起报告。",
+    ),
     "motion.not-periodic": (
         "运动不是周期性的：经过 {period} 后，点 {element} 与其起始位置相距 {distance} {unit}。",
         "改正 period，或用 duration 代替 period。",
