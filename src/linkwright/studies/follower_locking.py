@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.results import Run
-from linkwright.studies.assembly_checks import SINGULAR, drive_value, row_of
+from linkwright.results.claims import SINGULAR
+from linkwright.studies.assembly_checks import drive_value, row_of
 
 Array = NDArray[np.float64]
 

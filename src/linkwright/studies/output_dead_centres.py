@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 from linkwright.findings import Finding, Joined
 from linkwright.graph.rows import OutputLever
 from linkwright.results import Run
+from linkwright.results.claims import SINGULAR
 from linkwright.results.stationary import crossings, stationary
-from linkwright.studies.assembly_checks import SINGULAR, drive_value
+from linkwright.studies.assembly_checks import drive_value
 
 Array = NDArray[np.float64]
 

@@ -16,8 +16,9 @@ from linkwright.model.bound_window import BoundWindow
 from linkwright.reductions import Figures, Measure
 from linkwright.results.batch_run import Bunch, What
 from linkwright.results.batch_windows import Spans, Windows, spans
+from linkwright.results.claims import SINGULAR
 from linkwright.results.single_sample import sample_run
-from linkwright.studies.assembly_checks import SINGULAR, TOUCH
+from linkwright.studies.assembly_checks import TOUCH
 from linkwright.studies.batch_extremes import peaks
 from linkwright.studies.batch_quadrature import corners, mean
 from linkwright.studies.follower_locking import square
