@@ -10,13 +10,14 @@ from collections.abc import Collection, Mapping
 from dataclasses import field
 
 from linkwright.data_classes import dataclass
+from linkwright.elements import kind
 from linkwright.findings import Finding, Joined, Term
 from linkwright.groups import REGISTRY
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.structure.placed import PlacedLinks
 from linkwright.structure.refusals import fixed_angles, immovable_outputs, redundant, unsolved
 from linkwright.structure.steps import Chain, Driven, Group, HigherGroup, LinkPlacement, Step, Structure, Wedge
-from linkwright.structure.topology import FLOATING, PIN, Connection, Topology
+from linkwright.structure.topology import PIN, Connection, Topology
 
 
 @dataclass
@@ -227,7 +228,8 @@ _Side = tuple[str, Connection, Chain]
 
 def floating_coordinates(link: str) -> list[Connection]:
     """The coordinates of a floating link: the first counts in the frame, the others on what it is by then."""
-    return [Connection(f"{link}/{kind.name}", kind, FRAME if i == 0 else link, link) for i, kind in enumerate(FLOATING)]
+    coordinates = [("floating_angle", FRAME), ("floating_x", link), ("floating_y", link)]
+    return [Connection(f"{link}/{name}", kind(name), base, link) for name, base in coordinates]
 
 
 def _dyad(a: _Side, inner: Connection, b: _Side) -> Group | None:

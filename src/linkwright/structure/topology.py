@@ -20,8 +20,6 @@ PIN = kind("revolute")
 """The joint that points of one name make."""
 ANGLE, PLACE = kind("prescribed_angle"), kind("prescribed_place")
 """What drives prescribe without a joint."""
-FLOATING = kind("floating_angle"), kind("floating_x"), kind("floating_y")
-"""The coordinates of a link that no joint places, in their order."""
 
 
 @dataclass(frozen=True)
