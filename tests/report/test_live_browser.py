@@ -368,8 +368,10 @@ COUNTED = """() => {
 
 @pytest.mark.parametrize(("example", "point"), [("paper_feeder", "C"), ("jansen_leg", "D"), ("loader", "S")])
 def test_a_drag_writes_what_changes(show: Callable[..., Opened], example: str, point: str) -> None:
-    """A frame of a drag reuses the drawing's elements and writes an attribute only where it changes; how long that takes
-    is measured by ``benchmarks/live_page.py``."""
+    """A frame of a drag reuses the drawing's elements and writes an attribute only where it changes.
+
+    How long that takes is measured by ``benchmarks/live_page.py``.
+    """
     view = show(example).page
     frames = 40
     view.evaluate("linkwright.drawing.setIndex(40)")
