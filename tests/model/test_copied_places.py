@@ -170,12 +170,12 @@ def test_long_names_and_too_many_links() -> None:
 
 
 def test_a_doubling_chain_ends_at_the_limit() -> None:
-    """Copies of copies of copies: 2^20 links would be far more than can be counted one by one."""
-    chain = "".join(f"  s{i}: {{copies: {{a: {{of: s{i - 1}}}, b: {{of: s{i - 1}}}}}}}\n" for i in range(1, 21))
+    """Copies of copies of copies: 2^19 links would be far more than can be counted one by one."""
+    chain = "".join(f"  s{i}: {{copies: {{a: {{of: s{i - 1}}}, b: {{of: s{i - 1}}}}}}}\n" for i in range(1, 20))
     text = (
         "linkwright: 1\nunits: {length: mm, angle: deg, time: s}\n"
         "subassemblies:\n  s0: {links: {x: {points: {A: [0, 0]}}}}\n"
-        f"{chain}links: {{frame: {{points: {{O: [0, 0]}}}}}}\ncopies: {{all: {{of: s20}}}}\n"
+        f"{chain}links: {{frame: {{points: {{O: [0, 0]}}}}}}\ncopies: {{all: {{of: s19}}}}\n"
     )
     assert "subassembly.too-many" in {f.code for f in findings(text)}
 
