@@ -79,6 +79,8 @@ class Straightness(MeasureKind):
         """
         point = found.nominal_run.measure.point
         _, across, times = _of_run(found.nominal_run)
+        if not times.size:  # the point stands still, wherever the deviations put it
+            return [Derivative.smooth(np.zeros(found.count))]
         values, slopes = found.signals([f"{point}.{axis}" for axis in ("x", "y", "vx", "vy")], times)
         place, speed, moved = values[0] + 1j * values[1], values[2] + 1j * values[3], slopes[0] + 1j * slopes[1]
         for i, time in enumerate(times):

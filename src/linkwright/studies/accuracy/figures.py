@@ -41,9 +41,9 @@ def curves(run: Run, slopes: Slopes, contributors: Contributors, texts: Sequence
 def figures(
     run: Run, slopes: Slopes, contributors: Contributors, measures: Sequence[BoundMeasure]
 ) -> dict[str, OutputDeviations]:
-    """All figures of some measures by their names; a measure without a value has none."""
+    """All figures of some measures by their names; a measure without a value, or with an unbounded one, has none."""
     taken = zip(measures, measure_all(run, measures)[0], strict=True)
-    results = [(measure, result) for measure, result in taken if result.found]
+    results = [(m, result) for m, result in taken if result.found and not any(f.unbounded for f in result.found)]
     derivatives, made = Derivatives(run, slopes, [measure for measure, _ in results]), dict[str, OutputDeviations]()
     for measure, result in results:
         pairs = list(zip(columns(run.compiled, measure), result.found, strict=True))

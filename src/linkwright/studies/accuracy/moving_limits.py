@@ -76,7 +76,10 @@ class Edges:
     def _zeros(self, node: Node) -> Iterator[tuple[float, Array]]:
         times = zeros(self.run, node)
         here = self.slopes.at([node], times)
-        return zip(times.tolist(), (-here.slope[0] / here.rate[0]).T, strict=True)
+        slope, rate = np.broadcast_arrays(here.slope[0], here.rate[0])
+        # Where a motion dwells both vanish: the deviations don't move that time.
+        moves = np.divide(-slope, rate, out=np.zeros_like(slope), where=slope != 0.0)
+        return zip(times.tolist(), moves.T, strict=True)
 
     def _slope(self, window: BoundWindow, edge: float) -> Array:
         if self.same(edge, self.run.start) or self.same(edge, self.run.stop):
