@@ -52,7 +52,7 @@ def test_random_mechanisms_are_proven(recipe: str, data: Any) -> None:
 
 def test_the_feeder_is_proven_over_a_whole_cycle() -> None:
     certificate = certify(Run(compiled_from(feeder()), 0.0, 1.5, 200))
-    assert certificate.residuals.keys() == {"closure", "equilibrium", "power", "work"}
+    assert certificate.residuals.keys() == {"closure", "equilibrium", "power", "work", "signals"}
     assert max(certificate.residuals.values()) < 1e-12
     assert (certificate.mobility, certificate.gruebler, certificate.loops, certificate.rank) == (1, 1, 2, 14)
     assert (certificate.poses, certificate.kernel) == (201, "numpy")
@@ -62,7 +62,7 @@ def test_the_feeder_is_proven_over_a_whole_cycle() -> None:
 def test_nothing_to_balance_without_mass_and_loads() -> None:
     certificate = certify(Run(compiled_from(four_bar()), 0.0, 1.0, 20))
     assert (certificate.equilibrium, certificate.power, certificate.work) == (None, None, None)
-    assert list(certificate.residuals) == ["closure"]
+    assert list(certificate.residuals) == ["closure", "signals"]
 
 
 # The nearest singular pose.

@@ -26,7 +26,7 @@ from linkwright.data_classes import dataclass
 from linkwright.elements.curves import Curve, polygon
 from linkwright.elements.entries import NumberFault, StatedPlaces
 from linkwright.elements.fields import TwoLinks
-from linkwright.elements.joint import Applied, Array, ContactReaction, JointGeometry, JointReports, register
+from linkwright.elements.joint import Applied, Array, ContactReaction, JointGeometry, JointReports, Restated, register
 from linkwright.elements.pitch import InnerWheels, Pitch, WheelsEntry, WheelsKind, of_line
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Two, pair
@@ -184,6 +184,37 @@ class Belt(WheelsKind):
             )
             drawn.append(polygon(entry.carrier, ends))
         return drawn
+
+    def stated_radii(self, reports: JointReports, joint: str, distance: float) -> tuple[float, float]:
+        """Stated, or by the teeth that fill a circumference."""
+        entry, number = reports.geometry.mechanism.joints[joint], reports.geometry.number
+        if entry.radii is not None:
+            first, second = (float(number(one, u.LENGTH)) for one in entry.radii)
+        else:
+            around = (float(number(one, u.PURE)) * float(number(entry.pitch, u.LENGTH)) for one in entry.teeth)
+            first, second = (length / (2 * np.pi) for length in around)
+        return first, second if entry.crossed else -second
+
+    def driving_moment(self, reports: JointReports, joint: str) -> Array:
+        wheel = reports.geometry.mechanism.joints[joint].wheels[0]
+        return np.asarray(reports.reaction(reports.contact(joint, wheel))[1])
+
+    def restated_forces(self, reports: JointReports, joint: str, tangential: Array) -> dict[str, Restated]:
+        """Both strands touch both wheels: along the line of centres they pull with the cosine of their slope, and about
+        the first centre with its radius and opposite senses. A strand slips where the other is exp(mu phi) times as
+        strong, phi being the angle over which it wraps the wheel that it wraps less."""
+        entry = reports.geometry.mechanism.joints[joint]
+        ends, (first, second) = self.reported(reports, joint)
+        along, _, apart = of_line(*ends)
+        force = np.asarray(reports.reaction(reports.contact(joint, entry.wheels[0]))[0])
+        slope = np.arccos((first + second) / apart)  # between the line of centres and the radius to where it touches
+        carried = -(force * along).sum(axis=0) / np.sin(slope)
+        strands = {"left": Restated((carried + tangential) / 2), "right": Restated((carried - tangential) / 2)}
+        if entry.friction is None:
+            return strands
+        wrap = 2 * (np.pi - slope) if entry.crossed else 2 * np.minimum(slope, np.pi - slope)
+        grip = np.tanh(float(reports.geometry.number(entry.friction, u.PURE)) * wrap / 2)
+        return {**strands, "reserve": Restated(carried * grip - np.abs(tangential))}
 
     def applied(self, reports: JointReports, contact: ContactReaction) -> Applied:
         # Reported are the link's force on the others and its moment about the wheel's centre; it gets the opposite.

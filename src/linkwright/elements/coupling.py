@@ -25,7 +25,7 @@ from linkwright.elements.follower import (
     joints_between,
     register_follower,
 )
-from linkwright.elements.joint import Applied
+from linkwright.elements.joint import Applied, Restated
 from linkwright.elements.mover import exerted
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression
@@ -93,6 +93,11 @@ class Coupling(Follower):
 
     def tree(self, geometry: FollowerGeometry, motor: Node) -> Node:
         return replaced(self._node(geometry), self.signal, motor)
+
+    def restated(self, reports: FollowerReports, name: str) -> dict[str, Restated]:
+        """The expression at the drive's reported value."""
+        dimension = u.ANGLE if self.turning else u.LENGTH
+        return {self.value: Restated(reports.value(self.entry.expression, dimension))}
 
     def applied(self, reports: FollowerReports, name: str) -> list[Applied]:
         effort, motor = reports.rows[f"{name}.{self.effort}"], reports.geometry.mechanism.drives[self.motor]

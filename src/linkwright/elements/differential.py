@@ -37,6 +37,7 @@ from linkwright.elements.joint import (
     Miss,
     Rate,
     Reaction,
+    Restated,
     register,
 )
 from linkwright.elements.pins import pins
@@ -197,6 +198,11 @@ class Differential(JointKind):
         force, moment = reports.reaction(contact)
         place = reports.point_position(contact.link, (0.0, 0.0))
         return contact.link, -np.asarray(force), place, -moment
+
+    def restated(self, reports: JointReports, joint: str) -> dict[str, Restated]:
+        """The reported reaction's moment of the first shaft."""
+        first = reports.geometry.mechanism.joints[joint].differential[0]
+        return {"torque": Restated(np.asarray(reports.reaction(reports.contact(joint, first))[1]))}
 
     def misfits(self, reports: JointReports, joint: str) -> list[Array]:
         """By what reported torques miss the ratio of the weights, and what forces are reported."""

@@ -18,7 +18,7 @@ from linkwright.data_classes import dataclass
 from linkwright.elements.curves import Curve
 from linkwright.elements.entries import JointEntry, make_known
 from linkwright.elements.force import SignalChart
-from linkwright.elements.joint import Applied, Array, JointGeometry, LinkPoses, Miss
+from linkwright.elements.joint import Applied, Array, JointGeometry, LinkPoses, Miss, Restated
 from linkwright.elements.kind_modules import of_contract
 from linkwright.elements.mover import TRAVEL, TURN, MoverReports, MoverSignals
 from linkwright.elements.touch import ReportedTouch, Touch
@@ -79,6 +79,9 @@ class FollowerReports(MoverReports, Protocol):
 
     def number(self, expression: Any, dimension: Any) -> float:
         """The value of an expression of the entry, in SI."""
+
+    def value(self, expression: Any, dimension: Any) -> Array:
+        """An expression in parameters, the time, tables and reported signals."""
 
 
 class FollowedMotion(Protocol):
@@ -310,6 +313,11 @@ class Follower(MoverSignals, ABC):
         """By what its links miss each other in the contact, where that can be told from reported poses: a part of the
         proof."""
         return []
+
+    def restated(self, reports: FollowerReports, name: str) -> Mapping[str, Restated]:
+        """Its signals by attribute once more, from reported poses alone, each by another formula than those of the
+        program: those of its contact, and its value by the drive's. A part of the proof."""
+        return {}
 
     @abstractmethod
     def applied(self, reports: FollowerReports, name: str) -> list[Applied]:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.elements.entries import NOUNS, ForceEntry, make_known
-from linkwright.elements.joint import Applied, LinkPoses
+from linkwright.elements.joint import Applied, LinkPoses, Restated
 from linkwright.elements.kind_modules import of_contract
 from linkwright.elements.mover import MoverReports
 from linkwright.elements.touch import ReportedTouch, Touch
@@ -157,6 +157,9 @@ class ForceReports(MoverReports, Protocol):
 
     def table(self, name: str, argument: Array) -> Array:
         """What a table says of arguments; NaN outside of it."""
+
+    def table_area(self, name: str, argument: Array) -> Array:
+        """The integral of a table from its first point to arguments, by quadrature."""
 
     def inside(self, window: str) -> Array:
         """Whether a window holds."""
@@ -317,6 +320,15 @@ class ForceKind(ABC, Generic[E]):
     def dissipative_forces(self, reports: ForceReports, name: str, entry: E) -> list[Applied]:
         """The part of that whose work isn't stored; all of it unless told otherwise."""
         return self.applied(reports, name, entry)
+
+    def restated(self, reports: ForceReports, name: str, entry: E) -> Mapping[str, Restated]:
+        """Its signals by attribute once more, from reported poses, velocities and reactions alone, each by another
+        formula than :meth:`signal`'s."""
+        return {}
+
+    def stored(self, reports: ForceReports, name: str, entry: E) -> Array:
+        """Of one that ``stores`` the energy (J) once more, by another formula than :meth:`energy`'s."""
+        return np.full(reports.count, np.nan)
 
     def misfits(self, reports: ForceReports, name: str, entry: E) -> list[Misfit]:
         """By what its reported signals miss what the motion makes of them."""

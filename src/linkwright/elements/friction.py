@@ -33,7 +33,7 @@ from linkwright.elements.force import (
     SignalChart,
     register,
 )
-from linkwright.elements.joint import Applied
+from linkwright.elements.joint import Applied, Restated
 from linkwright.elements.mirror import Mirror, NotMirroredError
 from linkwright.elements.pins import pins
 from linkwright.elements.touch import Reacting
@@ -308,6 +308,20 @@ class Frictions(ForceKind[Friction]):
         told = reports.rows[f"{name}.{entry.effort}"]
         return [Misfit(told - _resisting(reports, name, entry), not entry.turns)]
 
+    def restated(self, reports: ForceReports, name: str, entry: Friction) -> dict[str, Restated]:
+        """The speed from the velocities of both links, the forces of its seats from the reported reaction, the rest by
+        the law of friction."""
+        speed, _ = _reported_speed(reports, entry)
+        effort = _resisting(reports, name, entry)
+        found = {entry.rate: speed, entry.effort: effort, "power": effort * speed}
+        if entry.slide is not None:
+            normal, moment = _reported_seats(reports, entry)
+            found["normal"] = normal
+            if entry.length is not None:
+                turning = moment / float(reports.geometry.number(entry.length, u.LENGTH))
+                found |= {"ahead": normal / 2 + turning, "behind": normal / 2 - turning}
+        return {attribute: Restated(value) for attribute, value in found.items()}
+
     # What is told of it.
 
     def sentence(self, name: str, entry: Friction, effort: float, shown: Any) -> Term:
@@ -354,42 +368,67 @@ def _reported_sliding(reports: ForceReports, entry: Friction) -> tuple[Array, Ar
     return reports.line(entry.joint, link)[0], reports.line(entry.joint, on)[1]
 
 
+def _reported_seats(reports: ForceReports, entry: Friction) -> tuple[Array, Array | float]:
+    """Of one in a slide the reported normal force (N) and moment (N m) of its first link on the second."""
+    link, on = entry.links(reports.geometry.mechanism)
+    force, moment = reports.reaction(Reacting(entry.joint, link, on))
+    along = reports.line(entry.joint, on)[1]
+    return np.asarray(along[0] * force[1] - along[1] * force[0]), moment
+
+
 def _pressing(reports: ForceReports, entry: Friction) -> Array:
     """The sum of the forces (N) of its seats, from the reported reaction."""
     if entry.contact is not None:
         return np.asarray(np.abs(reports.touch(entry.contact).force))
     mechanism = reports.geometry.mechanism
-    link, on = entry.links(mechanism)
-    alone = not entry.turns or len(pins(mechanism)[entry.joint].links) == 2
-    force, moment = reports.reaction(Reacting(entry.joint, link, on if alone else entry.joint))
     if entry.turns:
+        link, on = entry.links(mechanism)
+        alone = len(pins(mechanism)[entry.joint].links) == 2
+        force, _ = reports.reaction(Reacting(entry.joint, link, on if alone else entry.joint))
         return np.asarray(np.hypot(*force))
-    across = np.array([[0.0, -1.0], [1.0, 0.0]]) @ reports.line(entry.joint, on)[1]
-    normal = (force * across).sum(axis=0)
+    normal, moment = _reported_seats(reports, entry)
     if entry.length is None:
         return np.asarray(np.abs(normal))
     length = float(reports.geometry.number(entry.length, u.LENGTH))
     return np.asarray(np.maximum(np.abs(normal), 2 * np.abs(moment) / length))
 
 
-def _resisting(reports: ForceReports, name: str, entry: Friction) -> Array:
-    """Its moment (N m) or force (N) on its first link by its law; at rest in the reported sense."""
+def _reported_speed(reports: ForceReports, entry: Friction) -> tuple[Array, Array]:
+    """The speed of its first link against the second (rad/s, m/s), and the sum of the sizes of both."""
     link, on = entry.links(reports.geometry.mechanism)
     if entry.turns:
         turning = [reports.omega(one) for one in (link, on)]
-        speed, largest = turning[0] - turning[1], np.abs(turning[0]) + np.abs(turning[1])
-    else:
-        place, along = _reported_sliding(reports, entry)
-        velocities = [reports.velocity(one, place) for one in (link, on)]
-        speed = ((velocities[0] - velocities[1]) * along).sum(axis=0)
-        largest = sum((np.hypot(*one) for one in velocities), np.zeros(reports.count))
+        return turning[0] - turning[1], np.abs(turning[0]) + np.abs(turning[1])
+    place, along = _reported_sliding(reports, entry)
+    velocities = [reports.velocity(one, place) for one in (link, on)]
+    speed = ((velocities[0] - velocities[1]) * along).sum(axis=0)
+    return speed, sum((np.hypot(*one) for one in velocities), np.zeros(reports.count))
+
+
+def _friction_coefficient(reports: ForceReports, entry: Friction) -> Array:
+    """The moment or force of Coulomb's friction over the force with which the joint presses: the coefficient; of a pin
+    times its radius; of a roller, which the rim's force turns against its pin, the tangent of the angle by which the
+    force leaves the normal, so that it touches the circle of friction."""
+    coefficient = reports.value(entry.coefficient, u.PURE) if entry.coefficient is not None else np.zeros(reports.count)
+    if entry.radius is None:
+        return coefficient
+    circle = coefficient * float(reports.geometry.number(entry.radius, u.LENGTH))
+    if entry.contact is None:
+        return circle
+    roller = reports.geometry.mechanism.followers[entry.contact].roller
+    with np.errstate(invalid="ignore"):
+        return np.asarray(np.tan(np.arcsin(circle / float(reports.geometry.number(roller, u.LENGTH)))))
+
+
+def _resisting(reports: ForceReports, name: str, entry: Friction) -> Array:
+    """Its moment (N m) or force (N) on its first link by its law; at rest in the reported sense."""
+    speed, largest = _reported_speed(reports, entry)
     effort = np.zeros(reports.count)
     if entry.viscous is not None:
         effort = effort - float(reports.geometry.number(entry.viscous, entry.dimension("viscous"))) * speed
     if entry.coefficient is None:
         return effort
-    coefficient = reports.value(entry.coefficient, u.PURE)
-    resisting = coefficient * _arm(reports.geometry, entry, coefficient) * _pressing(reports, entry)
+    resisting = _friction_coefficient(reports, entry) * _pressing(reports, entry)
     told = reports.rows[f"{name}.{entry.effort}"] - effort
     vague = np.abs(speed) <= VAGUE * largest.max(initial=0.0)
     believed = np.where(np.abs(told) > NONE * np.abs(resisting), np.sign(told), 0.0)

@@ -28,7 +28,7 @@ from linkwright.data_classes import dataclass
 from linkwright.elements.clearance import OnFlank, StatedClearance
 from linkwright.elements.entries import NumberFault, StatedPlaces
 from linkwright.elements.fields import TwoLinks
-from linkwright.elements.joint import Applied, Array, ContactReaction, JointGeometry, JointReports, register
+from linkwright.elements.joint import Applied, Array, ContactReaction, JointGeometry, JointReports, Restated, register
 from linkwright.elements.pitch import InnerWheels, Pitch, WheelsEntry, WheelsKind, of_line
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Name, Two, pair
@@ -220,6 +220,29 @@ class Gears(WheelsKind):
         size = call("abs", tangential)
         return size / cosine if attribute == "force" else size * steep
 
+    def stated_radii(self, reports: JointReports, joint: str, distance: float) -> tuple[float, float]:
+        """The pitch point divides the line of centres, within it or beyond, in the ratio of both sizes."""
+        entry, number = reports.geometry.mechanism.joints[joint], reports.geometry.number
+        stated, dimension = (entry.radii, u.LENGTH) if entry.teeth is None else (entry.teeth, u.PURE)
+        ratio = float(number(stated[1], dimension)) / float(number(stated[0], dimension))
+        first = distance / abs(1.0 - ratio) if entry.internal else distance / (1.0 + ratio)
+        return first, -first * ratio if entry.internal else first * ratio
+
+    def driving_moment(self, reports: JointReports, joint: str) -> Array:
+        entry = reports.geometry.mechanism.joints[joint]
+        (start, end), (first, second) = self.reported(reports, joint)
+        force = np.asarray(reports.reaction(reports.contact(joint, entry.wheels[0]))[0])
+        arm = first / (first + second) * (end - start)  # to the pitch point, where the teeth push
+        return np.asarray(arm[0] * force[1] - arm[1] * force[0])
+
+    def restated_forces(self, reports: JointReports, joint: str, tangential: Array) -> dict[str, Restated]:
+        """The whole force is that of the reported reaction, and what is left of it across the pitch circles separates
+        the gears."""
+        entry = reports.geometry.mechanism.joints[joint]
+        along, _, _ = of_line(*self.reported(reports, joint)[0])
+        force = np.asarray(reports.reaction(reports.contact(joint, entry.wheels[0]))[0])
+        return {"force": Restated(np.hypot(*force)), "separating": Restated(np.abs((force * along).sum(axis=0)))}
+
     def applied(self, reports: JointReports, contact: ContactReaction) -> Applied:
         # Reported is the force of the link on the others; what it gets is the opposite, at the pitch point.
         (start, end), (first, second) = self.reported(reports, contact.joint)
@@ -234,7 +257,9 @@ class Gears(WheelsKind):
         force = np.asarray(reports.reaction(reports.contact(joint, entry.wheels[0]))[0])
         tangential, pushes = (force * across).sum(axis=0), (force * along).sum(axis=0)
         alpha = float(reports.geometry.number(entry.pressure_angle, u.ANGLE))
-        if (reference := entry.reference_distance(reports.geometry)) is not None:
-            alpha = np.arccos(float(reference) * np.cos(alpha) / apart)
+        if entry.module is not None:  # base circles keep their radii: the working pressure angle follows
+            base = float(reports.geometry.number(entry.module, u.LENGTH)) / 2 * np.cos(alpha)
+            teeth = [float(reports.geometry.number(size, u.PURE)) for size in entry.teeth]
+            alpha = np.arccos(base * (abs(teeth[0] - teeth[1]) if entry.internal else sum(teeth)) / apart)
         steep = np.tan(alpha) * (-1.0 if entry.internal else 1.0)
         return [pushes - np.abs(tangential) * steep, *self.on_carrier(reports, joint)]

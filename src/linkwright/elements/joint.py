@@ -219,12 +219,26 @@ class JointReports(Protocol):
     def turned(self, link: str) -> Array:
         """A link's angle (rad) over all turns since the first time, by its reported directions and rates."""
 
+    def velocity(self, link: str, place: Array) -> Array:
+        """The velocity of a link where it is at a place (m/s)."""
+
+    def omega(self, link: str) -> Array:
+        """A link's angular velocity (rad/s)."""
+
 
 class Miss(NamedTuple):
     """What a joint's links miss each other by, at some times: lengths (m) or pure numbers."""
 
     value: Array
     length: bool
+
+
+class Restated(NamedTuple):
+    """A signal once more from raw geometry, at some times (SI); NaN where the formula says nothing. Values that are
+    ``period`` apart are the same, such as angles a full turn apart; 0 of others."""
+
+    value: Array
+    period: float = 0.0
 
 
 class Rate(NamedTuple):
@@ -243,8 +257,8 @@ Reaction = Callable[[str], Wrench]
 class JointKind(ABC):
     """A kind of joint; stateless. ``bodies`` are those of the links, by name.
 
-    The last three methods are its proof: they know the model's dimensions and what a run reports, and ask none of the
-    kind's other methods.
+    The methods from :meth:`misses` on are its proof: they know the model's dimensions and what a run reports, and ask
+    none of the kind's other methods.
     """
 
     name: ClassVar[str]
@@ -360,6 +374,11 @@ class JointKind(ABC):
     @abstractmethod
     def applied(self, reports: JointReports, contact: ContactReaction) -> Applied:
         """What a reported reaction does: (link, force on it in N, place, moment)."""
+
+    def restated(self, reports: JointReports, joint: str) -> Mapping[str, Restated]:
+        """Its signals by attribute once more, from reported poses, velocities and reactions alone, each by another
+        formula than :meth:`signal`'s; rates of signals are proven by their integrals."""
+        return {}
 
     def misfits(self, reports: JointReports, joint: str) -> list[Array]:
         """By what reported reactions miss the law that they follow besides the closure (N), such as the pressure angle

@@ -33,6 +33,7 @@ from linkwright.elements.joint import (
     Miss,
     Rate,
     Reaction,
+    Restated,
     register,
 )
 from linkwright.elements.mirror import Mirror, NotMirroredError
@@ -359,6 +360,22 @@ class PinInSlot(JointKind):
         place, normal, _ = _reported_contact(reports, joint)
         force, _ = reports.reaction(Reacting(joint, *reports.geometry.mechanism.joints[joint].links))
         return ReportedTouch(place, normal, -(np.asarray(force) * normal).sum(axis=0))
+
+    def restated(self, reports: JointReports, joint: str) -> dict[str, Restated]:
+        """The travel along the line or as the angle about the arc's centre; the force along the slot's normal."""
+        entry = reports.geometry.mechanism.joints[joint]
+        (a, b), stated = entry.links, reports.geometry.number
+        away = reports.point_position(a, reports.geometry.point(a, entry.pin)) - reports.point_position(
+            b, reports.geometry.point(b, entry.joint_points[1])
+        )
+        angle = float(stated(entry.axis.angle if entry.arc is None else entry.arc.start, u.ANGLE))
+        along = reports.rotated(b, (np.cos(angle), np.sin(angle)))
+        travel = Restated((away * along).sum(axis=0))
+        if entry.arc is not None:
+            radius = float(stated(entry.arc.radius, u.LENGTH))
+            turned = np.angle((away[0] + 1j * away[1]) / (along[0] + 1j * along[1]))
+            travel = Restated(radius * turned, 2 * np.pi * radius)
+        return {"s": travel, "force": Restated(self.reported_touch(reports, joint).force)}
 
     def constraints(self, reports: JointReports, joint: str, links: Sequence[str]) -> list[list[Rate]]:
         place, normal, _ = _reported_contact(reports, joint)

@@ -35,6 +35,7 @@ from linkwright.elements.joint import (
     Miss,
     Rate,
     Reaction,
+    Restated,
 )
 from linkwright.elements.pins import pins
 from linkwright.elements.points import FRAME
@@ -283,6 +284,35 @@ class WheelsKind(JointKind):
         a, b = reports.geometry.mechanism.joints[joint].wheels
         return [[Rate(a, first), Rate(b, second), Rate(a, total, start, across), Rate(b, -total, end, across)]]
 
+    def restated(self, reports: JointReports, joint: str) -> dict[str, Restated]:
+        """The speed is that of the first wheel's material at its pitch circle as the carrier sees it, the power that of
+        the force there, and the tangential force from the moment about the first wheel's centre."""
+        entry, own = reports.geometry.mechanism.joints[joint], self.reported(reports, joint)
+        (start, end), (first, _) = own
+        along, across, _ = of_line(start, end)
+        place = start + first * along
+        seen = reports.velocity(entry.wheels[0], place) - reports.velocity(entry.carrier, place)
+        speed = (seen * across).sum(axis=0)
+        moment = self.driving_moment(reports, joint)
+        return {
+            "speed": Restated(speed),
+            "tangential": Restated(moment / first),
+            "power": Restated(moment * (reports.omega(entry.wheels[0]) - reports.omega(entry.carrier))),
+            **self.restated_forces(reports, joint, moment / first),
+        }
+
+    def driving_moment(self, reports: JointReports, joint: str) -> Array:
+        """The moment (N m) about its centre that the first wheel passes on, from the reported reaction."""
+        raise NotImplementedError
+
+    def restated_forces(self, reports: JointReports, joint: str, tangential: Array) -> dict[str, Restated]:
+        """The signals of :meth:`force_signal` once more."""
+        raise NotImplementedError
+
+    def stated_radii(self, reports: JointReports, joint: str, distance: float) -> tuple[float, float]:
+        """The signed pitch radii (m) by the file's numbers, by another formula than :meth:`radii`'s."""
+        raise NotImplementedError
+
     def on_carrier(self, reports: JointReports, joint: str) -> list[Array]:
         """The force (N) that a moving carrier is reported to get of the wheels, which is none."""
         entry = reports.geometry.mechanism.joints[joint]
@@ -298,8 +328,7 @@ class WheelsKind(JointKind):
             reports.point_position(link, geometry.point(link, point))
             for link, point in zip(entry.wheels, entry.centres, strict=True)
         )
-        first, second = self.radii(geometry, joint, float(np.hypot(*(end - start)[:, 0])))
-        return (start, end), (float(first), float(second))
+        return (start, end), self.stated_radii(reports, joint, float(np.hypot(*(end - start)[:, 0])))
 
 
 def of_line(start: Array, end: Array) -> tuple[Array, Array, Array]:

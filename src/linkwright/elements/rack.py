@@ -38,6 +38,7 @@ from linkwright.elements.joint import (
     Miss,
     Rate,
     Reaction,
+    Restated,
     register,
 )
 from linkwright.elements.pitch import continuous_angle, pinned_point
@@ -295,6 +296,21 @@ class Rack(JointKind):
         place = self._reported(reports, contact.joint).place
         return contact.link, -np.asarray(reports.reaction(contact)[0]), place, 0.0
 
+    def restated(self, reports: JointReports, joint: str) -> dict[str, Restated]:
+        """The force is that of the reported reaction with its parts along and across the line; the speed is that of the
+        pinion's material at the pitch point as the carrier sees it."""
+        entry, at = reports.geometry.mechanism.joints[joint], self._reported(reports, joint)
+        force = np.asarray(reports.reaction(reports.contact(joint, entry.rack[0]))[0])
+        seen = reports.velocity(entry.rack[0], at.place) - reports.velocity(entry.carrier, at.place)
+        across = force[1] * at.along[0] - force[0] * at.along[1]
+        return {
+            "speed": Restated((seen * at.along).sum(axis=0)),
+            "tangential": Restated((force * at.along).sum(axis=0)),
+            "separating": Restated(np.abs(across)),
+            "force": Restated(np.hypot(*force)),
+            "power": Restated((force * seen).sum(axis=0)),
+        }
+
     def misfits(self, reports: JointReports, joint: str) -> list[Array]:
         """By what the force across the line misses the tangential one times the tangent of the pressure angle."""
         entry, at = reports.geometry.mechanism.joints[joint], self._reported(reports, joint)
@@ -313,8 +329,16 @@ class Rack(JointKind):
         apart = centre - reports.point_position(rack, geometry.point(rack, entry.pitch_line.point))
         left = np.array([-along[1], along[0]])
         off = (apart * left).sum(axis=0)
-        radius = float(entry.pitch_radius(geometry)) * float(np.sign(off[0]))
+        radius = _stated_radius(reports, entry) * float(np.sign(off[0]))
         return _Reported((apart * along).sum(axis=0), off, along, centre - radius * left, radius)
+
+
+def _stated_radius(reports: JointReports, entry: RackEntry) -> float:
+    """The pinion's pitch radius (m): stated, or of a pitch of pi modules for each of the teeth around it."""
+    if entry.radius is not None:
+        return float(reports.geometry.number(entry.radius, u.LENGTH))
+    pitch = np.pi * float(reports.geometry.number(entry.module, u.LENGTH))
+    return float(reports.geometry.number(entry.teeth, u.PURE)) * pitch / (2 * np.pi)
 
 
 class _Reported(NamedTuple):

@@ -39,6 +39,7 @@ from linkwright.elements.joint import (
     Miss,
     Rate,
     Reaction,
+    Restated,
     register,
 )
 from linkwright.elements.pitch import continuous_angle
@@ -259,6 +260,15 @@ class Rolling(JointKind):
         ways = at.push, np.array([-at.push[1], at.push[0]])
         return [[Rate(a, 1.0, at.place, way), Rate(b, -1.0, at.place, way)] for way in ways]
 
+    def restated(self, reports: JointReports, joint: str) -> dict[str, Restated]:
+        """The parts of the disc's reported force along and across its path."""
+        entry, at = reports.geometry.mechanism.joints[joint], _reported(reports, joint)
+        force = np.asarray(reports.reaction(reports.contact(joint, entry.links[0]))[0])
+        return {
+            "normal": Restated(-(force * at.push).sum(axis=0)),
+            "tangential": Restated((force * at.along).sum(axis=0)),
+        }
+
     def applied(self, reports: JointReports, contact: ContactReaction) -> Applied:
         # Reported is the force of the link on the other; what it gets is the opposite, where they touch.
         place = _reported(reports, contact.joint).place
@@ -270,12 +280,13 @@ LONG = 4.0
 
 
 class _Reported(NamedTuple):
-    """Of a reported motion where the disc touches and in which direction it is pushed (2, times), the gap (m), what has
-    passed by the centre's motion alone since the first time (m), the factors of both angles in it (m), and what passes
-    in one turn about a circle (m)."""
+    """Of a reported motion where the disc touches, in which direction it is pushed and that of the path (2, times), the
+    gap (m), what has passed by the centre's motion alone since the first time (m), the factors of both angles in it
+    (m), and what passes in one turn about a circle (m)."""
 
     place: Array
     push: Array
+    along: Array
     gap: Array
     passed: Array
     radii: tuple[float, float]
@@ -297,14 +308,15 @@ def _reported(reports: JointReports, joint: str) -> _Reported:
         side = float(np.sign((apart * left).sum(axis=0)[0]))
         push, x = side * left, (apart * along).sum(axis=0)
         gap = (apart * push).sum(axis=0) - radius
-        return _Reported(centre - radius * push, push, gap, x - x[0], (side * radius, -side * radius), None)
+        return _Reported(centre - radius * push, push, along, gap, x - x[0], (side * radius, -side * radius), None)
     circle, inside = float(geometry.number(entry.on_circle.radius, u.LENGTH)), entry.on_circle.inside
     size = np.hypot(*apart)
     unit, between = apart / size, circle - radius if inside else circle + radius
     push = -unit if inside else unit
-    place = base + np.sign(between) * circle * unit
+    out = np.sign(between) * unit  # from the circle's centre to where they touch
+    place, along = base + circle * out, np.array([-out[1], out[0]])
     turned = np.arctan2(apart[1], apart[0])
     signed = -radius if inside else radius
     return _Reported(
-        place, push, size - abs(between), -between * (turned - turned[0]), (signed, circle), 2 * np.pi * between
+        place, push, along, size - abs(between), -between * (turned - turned[0]), (signed, circle), 2 * np.pi * between
     )

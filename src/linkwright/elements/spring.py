@@ -27,7 +27,7 @@ from linkwright.elements.force import (
     Use,
     register,
 )
-from linkwright.elements.joint import Applied
+from linkwright.elements.joint import Applied, Restated
 from linkwright.elements.mirror import Mirror, NotMirroredError
 from linkwright.elements.points import links_of_points
 from linkwright.expressions import units as u
@@ -142,6 +142,8 @@ class Spring(ForceEntry):
 
 
 SIGNALS = {"length": u.LENGTH, "v": u.SPEED, "force": u.FORCE, "power": u.POWER, "energy": u.ENERGY}
+QUADRATURE = 32
+"""The points at which the force of a gas is asked on its way."""
 TORSION_SIGNALS = {"angle": u.ANGLE, "omega": u.OMEGA, "torque": u.TORQUE, "power": u.POWER, "energy": u.ENERGY}
 
 
@@ -236,6 +238,34 @@ class Springs(ForceKind[Spring]):
         x, rate, _, _ = _reported_state(reports, name, entry)
         force = _elastic_force(reports, entry, x) + _damping_force(reports, entry, rate)
         return [Misfit(reports.rows[f"{name}.{entry.effort}"] - force, not entry.torsional)]
+
+    def restated(self, reports: ForceReports, name: str, entry: Spring) -> dict[str, Restated]:
+        """Length and rate from the places and velocities of both ends, the rest by its law there."""
+        x, rate, _, _ = _reported_state(reports, name, entry)
+        force = _elastic_force(reports, entry, x) + _damping_force(reports, entry, rate)
+        return {
+            entry.measure: Restated(x),
+            "omega" if entry.torsional else "v": Restated(rate),
+            entry.effort: Restated(force),
+            "power": Restated(-force * rate),
+            "energy": Restated(self.stored(reports, name, entry)),
+        }
+
+    def stored(self, reports: ForceReports, name: str, entry: Spring) -> Array:
+        """The work that stretches it from where it stores nothing: of a straight line of force half the sum of its
+        ends, of a table its area, of a gas the work of an adiabatic change by quadrature."""
+        x, _, _, _ = _reported_state(reports, name, entry)
+        if entry.table:
+            return reports.table_area(entry.table, x)
+        if entry.gas is not None:
+            assert entry.length is not None
+            long = float(reports.geometry.number(entry.length[1], u.LENGTH))
+            nodes, weights = np.polynomial.legendre.leggauss(QUADRATURE)
+            places = long + (x - long)[:, None] * (nodes + 1) / 2
+            forces = _elastic_force(reports, entry, places)
+            return np.asarray((forces * weights).sum(axis=1) * (x - long) / 2)
+        ends = _elastic_force(reports, entry, x) + _stated_number(reports, entry, "preload")
+        return np.asarray(ends / 2 * (x - _stated_number(reports, entry, "free")))
 
     # What is told of it.
 

@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Annotated, Any, ClassVar
 
+import numpy as np
+
 from linkwright.data_classes import dataclass
 from linkwright.elements.fields import TwoLinks
 from linkwright.elements.follower import (
@@ -22,7 +24,7 @@ from linkwright.elements.follower import (
     joints_between,
     register_follower,
 )
-from linkwright.elements.joint import Applied
+from linkwright.elements.joint import Applied, Restated
 from linkwright.elements.mover import exerted
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression
@@ -68,6 +70,11 @@ class Weld(Follower):
 
     def tree(self, geometry: FollowerGeometry, motor: Node) -> Node:
         return geometry.bind(self.entry.angle, u.ANGLE)
+
+    def restated(self, reports: FollowerReports, name: str) -> dict[str, Restated]:
+        """The angle as the file states it."""
+        stated = float(reports.geometry.number(self.entry.angle, u.ANGLE))
+        return {self.value: Restated(np.full(reports.count, stated))}
 
     def applied(self, reports: FollowerReports, name: str) -> list[Applied]:
         return exerted(self, reports, name, reports.rows[f"{name}.{self.effort}"])

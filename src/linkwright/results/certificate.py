@@ -16,12 +16,13 @@ from linkwright.results.claims import Claim, claims
 from linkwright.results.independent_check import Reports
 from linkwright.results.quadrature import panel_points
 from linkwright.results.run import Run
+from linkwright.results.signal_check import SignalCheck
 from linkwright.results.stationary import magnitude, stationary
 from linkwright.structure import FRAME
 
 Array = NDArray[np.float64]
 
-RESIDUALS = ("closure", "equilibrium", "power", "work", "starting")
+RESIDUALS = ("closure", "equilibrium", "power", "work", "starting", "signals")
 PROVEN = 1e-9
 """A residual below this holds: far under any drawing tolerance, far over round-off."""
 
@@ -46,6 +47,8 @@ class Certificate:
     The last three are ``None`` where no link has mass and nothing loads it: there is nothing to balance.
     starting: worst force or moment left where the drives start the motion from rest by the reported efforts, and misfit
     of these, over the largest force; ``None`` without static coefficients.
+    signals: the worst that a reported signal misses its formula from raw geometry by, or a rate the change of what it
+    is the rate of, over the scale of its dimension.
     """
 
     closure: float
@@ -63,6 +66,8 @@ class Certificate:
     poses: int
     choice: KernelChoice  # of the kernel, and why
     starting: float | None = None
+    signals: float | None = None
+    signal: str = ""  # the one that misses its formula most
     measures: float | None = None  # the worst contradiction to a reported measure; None without measures
 
     @property
@@ -97,6 +102,9 @@ def certify(run: Run) -> Certificate:
     constraints = rank(Reports(compiled, apart[compiled.passages.bounded(apart)]))
     loaded = bool(reports.masses or any(one.kind.acts for one in reports.every))
     rules = compiled.assembly.rules
+    near = nearest(run)
+    margin = 1.0 if near is None else max(near.determinant, LEAST_MARGIN)
+    missed, signal = SignalCheck(run, reports, margin).worst()
     changes = {group.label: _changes(run, group.label) for group in compiled.structure.groups}
     return Certificate(
         closure=closure(reports),
@@ -107,7 +115,7 @@ def certify(run: Run) -> Certificate:
         gruebler=topology.gruebler,
         rank=constraints,
         loops=topology.loops,
-        nearest=nearest(run),
+        nearest=near,
         branches={
             **{g.label: _branch(rules.get(g, ""), changes[g.label]) for g in compiled.structure.groups},
             **{higher_group.label: "" for higher_group in compiled.structure.higher_groups},
@@ -116,6 +124,8 @@ def certify(run: Run) -> Certificate:
         followed={f.higher_group.label: (len(f.path.t) - 1, f.correction) for f in compiled.followers},
         poses=reports.count,
         starting=starts(reports),
+        signals=missed,
+        signal=signal,
         choice=choose(compiled.graph.program(reports.names), reports.count),
     )
 
@@ -240,6 +250,8 @@ def worked(run: Run, lows: Array, highs: Array) -> Array:
     return np.asarray(rates.reshape(2, lows.size, -1).sum(axis=2))
 
 
+LEAST_MARGIN = 1e-5
+"""The smallest normalised determinant by which lost digits of rates are excused."""
 SETTLED, MAX_PANELS = 1e-14, 1 << 14
 GOLDEN = (np.sqrt(5.0) - 1) / 2
 SCATTERED = 7

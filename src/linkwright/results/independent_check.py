@@ -70,6 +70,15 @@ class Reports:
         """The moving links that have mass."""
         return [link for link in self.topology.moving if self.mechanism.has_mass(link)]
 
+    def mass(self, link: str) -> tuple[float, float]:
+        """A link's mass (kg) and its moment of inertia about the centre of that (kg m^2)."""
+        mass, _, inertia = self.geometry.mass(link)
+        return float(mass), float(inertia)
+
+    def centre_of_mass(self, link: str) -> Any:
+        """Its centre of mass in its own axes (m)."""
+        return self.geometry.mass(link)[1]
+
     def some_point(self, link: str) -> str:
         """Some point of a link."""
         return next(iter(self.mechanism.links[link].points))
@@ -189,6 +198,21 @@ class Reports:
     def table(self, name: str, argument: Array) -> Array:
         """What a table says of arguments; NaN outside of it."""
         return np.asarray(self.compiled.tables[name].or_nan(Jet([argument])).d[0])
+
+    def table_area(self, name: str, argument: Array) -> Array:
+        """The integral of a table from its first point to arguments, by Gauss quadrature between its knots."""
+        knots, period = self.compiled.tables[name].powers()[0], self.compiled.tables[name].period
+        nodes, weights = np.polynomial.legendre.leggauss(4)
+
+        def areas(lows: Array, highs: Array) -> Array:
+            places = lows[:, None] + (highs - lows)[:, None] * (nodes + 1) / 2
+            return np.asarray((self.table(name, places.ravel()).reshape(places.shape) @ weights) * (highs - lows) / 2)
+
+        passed = np.concatenate([[0.0], np.cumsum(areas(knots[:-1], knots[1:]))])
+        periods = np.zeros_like(argument) if period is None else np.floor((argument - knots[0]) / period)
+        inside = argument if period is None else argument - periods * period
+        piece = np.clip(np.searchsorted(knots, inside, side="right") - 1, 0, knots.size - 2)
+        return np.asarray(periods * passed[-1] + passed[piece] + areas(knots[piece], inside))
 
     def value(self, expression: Expression, dimension: Dimension) -> Array:
         """An expression in parameters, the time, tables and reported signals."""

@@ -24,7 +24,7 @@ from linkwright.elements.follower import (
     register_follower,
 )
 from linkwright.elements.force import SignalChart
-from linkwright.elements.joint import Applied
+from linkwright.elements.joint import Applied, Miss, Restated
 from linkwright.elements.touch import ReportedTouch, Touch
 from linkwright.expressions import units as u
 from linkwright.expressions.language import Call, Node
@@ -153,6 +153,12 @@ class CamFollower(Follower):
 
     def findings(self, run: FollowedMotion, path: Path) -> Iterator[Finding]:
         return loose(run, path, self)
+
+    def misses(self, reports: FollowerReports, name: str) -> list[Miss]:
+        return proof.misses(reports, self)
+
+    def restated(self, reports: FollowerReports, name: str) -> dict[str, Restated]:
+        return proof.restated(reports, self)
 
     def applied(self, reports: FollowerReports, name: str) -> list[Applied]:
         return proof.applied(reports, self, name)

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.elements.cam_contact.second import largest
+from linkwright.elements.joint import Miss, Restated
 from linkwright.elements.touch import ReportedTouch
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import LineOn
@@ -47,8 +48,7 @@ def contact(r: FollowerReports, drive: CamFollower, second: bool = False) -> tup
     cam = drive.cam
     number = r.number
     turn = r.rows[f"{drive.motor}.angle"] * drive.motor_sign  # of the cam on its carrier
-    forward = cam.sense or ("clockwise" if _backward(r, drive) else "counter-clockwise")
-    forward_sign = 1.0 if forward == "counter-clockwise" else -1.0
+    forward_sign = _forward(r, drive)
     lift, asked = r.motions[cam.law], forward_sign * turn + number(cam.phase, u.ANGLE)
     slope = forward_sign * lift.at(asked, 1)  # by the cam's angle
     shaft = r.point_position(drive.on, r.geometry.point(drive.on, drive.shaft[1]))
@@ -73,6 +73,48 @@ def contact(r: FollowerReports, drive: CamFollower, second: bool = False) -> tup
     past = moved - _quarter(at - shaft)
     along = -(past * normal).sum(axis=0) / (spin * (_quarter(face) * normal).sum(axis=0))
     return at + along * face, normal
+
+
+def restated(r: FollowerReports, drive: CamFollower) -> dict[str, Restated]:
+    """The pressure angles, each between the common normal and the way of the follower's point there."""
+    pivot = None
+    if drive.pivot is not None:
+        pivot = r.point_position(drive.on, r.geometry.point(drive.on, drive.pivot[1]))
+    forward, found = _forward(r, drive), dict[str, Restated]()
+    for attribute, side in zip(drive.extra, (drive.side, -drive.side), strict=False):
+        place, normal = contact(r, drive, second=attribute != "pressure")
+        way = r.line(str(drive.joint), drive.on)[1] if pivot is None else -_quarter(place - pivot)
+        turned = np.angle((way[0] + 1j * way[1]) / (normal[0] + 1j * normal[1]) * side)
+        found[attribute] = Restated(-forward * turned, 2 * np.pi)
+    return found
+
+
+def misses(r: FollowerReports, drive: CamFollower) -> list[Miss]:
+    """By what the follower lies beside where the cam's law has it: on the base circle, and from there the lift on."""
+    cam, side = drive.cam, drive.side
+    turn = r.rows[f"{drive.motor}.angle"] * drive.motor_sign
+    lift = r.motions[cam.law].at(_forward(r, drive) * turn + r.number(cam.phase, u.ANGLE))
+    shaft = r.point_position(drive.on, r.geometry.point(drive.on, drive.shaft[1]))
+    at = r.point_position(drive.link, r.geometry.point(drive.link, cam.touches))
+    base = r.number(cam.base, u.LENGTH)
+    pitch = base if cam.roller is None else base + r.number(cam.roller, u.LENGTH)
+    if drive.pivot is None:
+        way = side * r.line(str(drive.joint), drive.on)[1]
+        height, aside = ((at - shaft) * way).sum(axis=0), ((at - shaft) * _quarter(way)).sum(axis=0)
+        start = base if cam.face is not None else np.sqrt(pitch**2 - aside**2)
+        return [Miss(height - start - lift, length=True)]
+    pivot = r.point_position(drive.on, r.geometry.point(drive.on, drive.pivot[1]))
+    to_shaft, arm = shaft - pivot, at - pivot
+    away, reach = np.hypot(*to_shaft), np.hypot(*arm)
+    beam = arm / reach
+    if cam.face is not None:
+        beam = _direction(r, drive, cam.face)
+        start = np.arcsin((base + side * (_quarter(beam) * arm).sum(axis=0)) / away)
+    else:
+        start = np.arccos((away**2 + reach**2 - pitch**2) / (2 * away * reach))
+    angle = start + lift
+    wanted = (np.cos(angle) * to_shaft - side * np.sin(angle) * _quarter(to_shaft)) / away
+    return [Miss(np.hypot(*(beam - wanted)), length=False)]
 
 
 def _second(
@@ -112,9 +154,13 @@ def _direction(r: FollowerReports, drive: CamFollower, face: LineOn) -> Array:
     return r.rotated(drive.link, (np.cos(heading), np.sin(heading)))
 
 
-def _backward(r: FollowerReports, drive: CamFollower) -> bool:
+def _forward(r: FollowerReports, drive: CamFollower) -> float:
+    """The sense (1 or -1) in which the cam turns on its carrier as it runs through its law."""
+    if drive.cam.sense is not None:
+        return 1.0 if drive.cam.sense == "counter-clockwise" else -1.0
     speed = r.geometry.mechanism.drives[drive.motor].speed
-    return (drive.motor_sign < 0) != (speed is not None and r.number(speed, u.OMEGA) < 0)
+    backward = (drive.motor_sign < 0) != (speed is not None and r.number(speed, u.OMEGA) < 0)
+    return -1.0 if backward else 1.0
 
 
 def _quarter(vector: Array) -> Array:

@@ -25,7 +25,7 @@ from linkwright.elements.geneva.entry import GenevaEntry
 from linkwright.elements.geneva.sentence import sentence
 from linkwright.elements.geneva.shape import outline
 from linkwright.elements.geneva.uncovered_horn import unsupported
-from linkwright.elements.joint import Applied, Miss
+from linkwright.elements.joint import Applied, Miss, Restated
 from linkwright.elements.points import FRAME
 from linkwright.expressions import units as u
 from linkwright.expressions.language import Binary, Call, Name, Node
@@ -130,6 +130,9 @@ class GenevaDrive(Follower):
 
     def misses(self, reports: FollowerReports, name: str) -> list[Miss]:
         return proof.misses(reports, self, name)
+
+    def restated(self, reports: FollowerReports, name: str) -> dict[str, Restated]:
+        return proof.restated(reports, self, name)
 
     def applied(self, reports: FollowerReports, name: str) -> list[Applied]:
         return proof.applied(reports, self, name)

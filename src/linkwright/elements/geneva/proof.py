@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.elements.joint import Applied, Miss
+from linkwright.elements.joint import Applied, Miss, Restated
 from linkwright.expressions import units as u
 
 if TYPE_CHECKING:
@@ -77,7 +77,26 @@ def applied(reports: FollowerReports, drive: GenevaDrive, name: str) -> list[App
     """What the reported force does to wheel and driver: in a slot square to its middle line through the pin, else from
     the driver's centre through one of the two places where its disc meets the wheel's rim."""
     at, size = Reported(reports, drive, name), reports.rows[f"{name}.force"]
-    sense = np.where(size < 0, -1.0, 1.0)
+    place, normal = bearing(at, np.where(size < 0, -1.0, 1.0))
+    force = np.abs(size) * normal
+    return [(drive.link, force, place, 0.0), (drive.geneva.wheels[0], -force, place, 0.0)]
+
+
+def restated(reports: FollowerReports, drive: GenevaDrive, name: str) -> dict[str, Restated]:
+    """The arm is that of the line of the contact's force about the wheel's centre; a pin is in a slot or none is."""
+    at = Reported(reports, drive, name)
+    place, normal = bearing(at, np.ones(reports.count))
+    out = place - at.centre
+    engaged = np.logical_or.reduce(at.engaged)
+    return {
+        "arm": Restated(np.abs(out[0] * normal[1] - out[1] * normal[0])),
+        "engaged": Restated(engaged.astype(float)),
+    }
+
+
+def bearing(at: Reported, sense: Array) -> tuple[Array, Array]:
+    """Where driver and wheel touch as a moment on the wheel of some sense (1 or -1) is held, and the direction of the
+    force on the wheel."""
     rim = at.distance * np.cos(np.pi / at.slots)
     along = at.line / at.distance
     across = np.array([-along[1], along[0]])
@@ -90,5 +109,4 @@ def applied(reports: FollowerReports, drive: GenevaDrive, name: str) -> list[App
         out = pin - at.centre
         flank = sense * np.array([-out[1], out[0]]) / np.hypot(*out)
         place, normal = np.where(engaged, pin, place), np.where(engaged, flank, normal)
-    force = np.abs(size) * normal
-    return [(drive.link, force, place, 0.0), (drive.geneva.wheels[0], -force, place, 0.0)]
+    return place, normal

@@ -104,6 +104,7 @@ CHECKS = {
     "power": Term("power"),
     "work": Term("work"),
     "starting": Term("starting"),
+    "signals": Term("signals"),
     "measures": Term("measures"),
     "mobility": Term("mobility-by-rank"),
     "nearest": Term("margin-to-singularity"),

@@ -36,6 +36,10 @@ def _residual(c: Certificate, name: str, time: Text) -> Text:
     return Said(f"proof.{name}.text", poses=c.poses)
 
 
+def _signals(c: Certificate, name: str, time: Text) -> Text:
+    return Said("proof.signals.text", poses=c.poses, signal=c.signal)
+
+
 def _mobility(c: Certificate, name: str, time: Text) -> Text:
     return Said("proof.mobility.text", rank=c.rank, gruebler=c.gruebler)
 
@@ -57,6 +61,7 @@ def _followed(c: Certificate, name: str, time: Text) -> Text:
 
 
 SENTENCES_OF: dict[str, Callable[[Certificate, str, Text], Text]] = {
+    "signals": _signals,
     "mobility": _mobility,
     "nearest": _nearest,
     "branches": _branches,

@@ -85,6 +85,8 @@ TEXTS: dict[str, str] = {
     "proof.equilibrium.text": "Every link, including the frame, is in equilibrium under the reported reactions at all {poses} poses (largest residual relative to the largest force).",
     "proof.power": "Power balance",
     "proof.power.text": "The power of drives, loads, springs, gravity and inertia balances at all {poses} poses (largest residual relative to the sum of their magnitudes).",
+    "proof.signals": "Reported signals",
+    "proof.signals.text": "Every reported signal agrees with a second formula from poses, velocities and reactions alone at all {poses} poses, and the integral of every rate with the change of its signal (largest relative deviation: {signal}).",
     "proof.measures": "Measures",
     "proof.measures.text": "Values on two other grids lie within the reported minima and maxima, and means by a second quadrature agree (largest relative disagreement).",
     "proof.work": "Work and energy",

@@ -171,6 +171,7 @@ TERMS: dict[str, str] = {
     "power": "the power balance",
     "work": "the balance of work and energy",
     "measures": "the check of the measures",
+    "signals": "the check of the reported signals",
     "mobility-by-rank": "the mobility from the rank of the constraints",
     "margin-to-singularity": "the margin to singularity",
     "kept-modes": "the number of assembly modes that are kept",

@@ -171,6 +171,7 @@ TERMS: dict[str, str] = {
     "power": "功率平衡",
     "work": "功与能量的平衡",
     "measures": "测量项检查",
+    "signals": "输出信号检查",
     "mobility-by-rank": "由约束的秩得到的自由度",
     "margin-to-singularity": "奇异裕度",
     "kept-modes": "保持装配模式的杆组数",
