@@ -66,7 +66,8 @@ class SignalCheck:
 
     def worst(self) -> tuple[float, str]:
         """The largest misfit of a signal, NaN where one isn't a number, and whose it is."""
-        misfits = self.misfits()
+        with np.errstate(all="ignore"):  # what isn't a number is told by the check
+            misfits = self.misfits()
         return max(((misfit, name) for name, misfit in misfits.items()), default=(0.0, ""), key=_unless_number)
 
     def misfits(self) -> dict[str, float]:
