@@ -29,7 +29,7 @@ from linkwright.presentation.blocks import (
 )
 from linkwright.presentation.cells import NumberCell
 from linkwright.presentation.charts import Axis, Graph
-from linkwright.report.html_blocks import html, section
+from linkwright.report.html_blocks import html, of_file, section
 from linkwright.report.prose import prose
 
 HOSTILE = "<img src=x>&\"'"
@@ -68,7 +68,7 @@ def test_a_section_has_its_heading_and_what_is_filled() -> None:
     blocks = [Sentences([]), Sentences(["One."]), Table("one", "Title", ["a"], []), Bullets(["two"])]
     text = section(Section("limits", blocks))
     heading = str(Said("report.limits"))
-    assert text == f'<section id="limits"><h2>{heading}</h2><p>One.</p><ul><li>two</li></ul></section>'
+    assert text == f'<section id="limits"><h2>{heading}</h2>{of_file()}<p>One.</p><ul><li>two</li></ul></section>'
     assert section(Section("limits", [Sentences([]), Table("one", "Title", ["a"], [])])) == ""
 
 

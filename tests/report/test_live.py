@@ -91,7 +91,7 @@ def test_random_numbers_of_the_file(name: str) -> None:
     assert np.nanquantile(error, 0.99) < 3e-10
 
 
-@pytest.mark.parametrize(("name", "most"), [("paper_feeder", 290e3), ("jansen_leg", 280e3), ("loader", 330e3)])
+@pytest.mark.parametrize(("name", "most"), [("paper_feeder", 292e3), ("jansen_leg", 280e3), ("loader", 330e3)])
 def test_pages_stay_small(name: str, most: float) -> None:
     """Scripts and texts are two thirds of a page; its data grows by what is added to a mechanism's signals alone."""
     assert len(page(report_of(name)).encode()) < most

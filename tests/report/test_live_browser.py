@@ -275,6 +275,29 @@ def test_what_cannot_be_assembled(show: Callable[..., Opened]) -> None:
     assert view.page.locator(".lw-gaps i").count() == 0
 
 
+def test_a_gap_ends_where_links_close_again(show: Callable[..., Opened]) -> None:
+    """With a crank of 225 mm B and D are nearer than CD and BC differ by on 25.8 deg of the turn only; a change that
+    belongs to earlier values doesn't stay beside an empty one."""
+    view = show("paper_feeder")
+    entry = view.page.get_by_label("AB", exact=True).and_(view.page.locator("[type=text]"))
+    for value in ("165", "225"):
+        entry.fill(value)
+        entry.press("Enter")
+        rested(view)
+    # The law of cosines: |BD|^2 = AB^2 + AD^2 - 2 AB AD cos(angle) = (BC - CD)^2.
+    half = np.degrees(np.arccos((225**2 + 300**2 - 95**2) / (2 * 225 * 300)))
+    closed = np.array(view.page.evaluate("linkwright.live.motion.reaches[0].map(reach => reach >= 0)"), dtype=bool)
+    assert np.mean(~closed) == pytest.approx(2 * half / 360, abs=2 / len(closed))
+    width = view.page.locator(".lw-gaps i").evaluate_all(
+        "all => all.reduce((sum, i) => sum + parseFloat(i.style.width), 0)"
+    )
+    assert width == pytest.approx(200 * half / 360, abs=1.5)
+    for row in view.page.locator("#measures tbody tr").all():
+        assert row.locator(".note.was").count() <= row.locator(".line.value b", has_text=re.compile(r"[0-9]")).count()
+    assert view.page.locator("#certificate").count() == 1
+    view.context.close()
+
+
 def test_entries_take_numbers_alone(show: Callable[..., Opened]) -> None:
     view = show("four_bar")
     entry = view.page.get_by_label("b", exact=True).and_(view.page.locator("[type=text]"))

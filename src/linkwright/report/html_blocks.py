@@ -38,10 +38,16 @@ def section(shown: Section) -> str:
     """A section under its heading; nothing where there is nothing in it. Of one that only verifies, the line that is
     left when it is folded is the heading."""
     blocks = [block for block in shown.blocks if filled(block)]
+    stated = "" if any(isinstance(block, Measures) for block in blocks) else of_file()
     if len(blocks) == 1 and isinstance(blocks[0], Checks):
         return f'<section id="{shown.name}">{_folded(blocks[0], "h2")}</section>'
     body = "".join(f"{_hint(blocks, block)}{html(block)}" for block in blocks)
-    return body and f'<section id="{shown.name}"><h2>{markup(shown.title)}</h2>{body}</section>'
+    return body and f'<section id="{shown.name}"><h2>{markup(shown.title)}</h2>{stated}{body}</section>'
+
+
+def of_file() -> str:
+    """What stands over results that a page doesn't compute anew, to be seen once its numbers are changed."""
+    return f'<p class="of-file">◐ {markup(say("report.of_file"))}</p>'
 
 
 def _hint(blocks: Sequence[Block], block: Block) -> str:

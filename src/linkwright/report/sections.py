@@ -8,7 +8,7 @@ from linkwright.escape import markup
 from linkwright.findings import Text
 from linkwright.presentation.blocks import Check, Checks, Measure, Measures, Section
 from linkwright.report.data import Failure, Plot, ReportData
-from linkwright.report.html_blocks import mark
+from linkwright.report.html_blocks import mark, of_file
 from linkwright.report.prose import prose
 from linkwright.words import say
 
@@ -104,7 +104,7 @@ def _findings(data: ReportData, name: str, found: Sequence[Failure], kind: str, 
     )
     return (
         f'<section id="{name}" class="{kind}" aria-labelledby="{name}-title">'
-        f'<h2 id="{name}-title">{sign}{markup(say(f"report.{name}"))}</h2>'
+        f'<h2 id="{name}-title">{sign}{markup(say(f"report.{name}"))}</h2>{of_file()}'
         f"<ul>{rows}</ul></section>"
     )
 

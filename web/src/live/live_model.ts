@@ -25,6 +25,8 @@ export class LiveModel {
   motion: Motion;
   /** The values of the last motion without a failure. */
   private closing: Float64Array;
+  /** Whether there was one. */
+  closed: boolean;
   /** The values of before each change, those of the present motion, and when they came (ms). */
   private readonly history: Float64Array[] = [];
   private computed: Float64Array;
@@ -46,6 +48,7 @@ export class LiveModel {
     this.original = this.run(this.values);
     this.motion = this.original;
     this.closing = this.values.slice();
+    this.closed = !this.original.failure;
     this.computed = this.values.slice();
     this.sound = this.probed();
   }
@@ -169,7 +172,7 @@ export class LiveModel {
       this.computed = this.values.slice();
     }
     this.motion = this.run(this.values);
-    if (!this.motion.failure) this.closing = this.values.slice();
+    if (!this.motion.failure) [this.closing, this.closed] = [this.values.slice(), true];
     for (const listener of this.listeners) listener();
   }
 
@@ -180,8 +183,11 @@ export class LiveModel {
   }
 
   private probed(): boolean {
+    // Of a motion with gaps nothing was verified but its poses.
+    const rows = this.original.failure ? 4 * this.data.poses.length : Infinity;
     return this.data.probes.every((probe, k) => {
       const i = EVERY * k;
+      if (i >= rows) return true;
       const row = this.original.rows[i]!;
       const here = row[(i * PROBES) % row.length]!;
       if (probe === null) return !Number.isFinite(here);
@@ -190,7 +196,12 @@ export class LiveModel {
   }
 }
 
-/** Makes an angle continuous, in place. */
+/** Makes an angle continuous, in place; behind a gap it goes on from before it. */
 function unwrap(row: Float64Array): void {
-  for (let k = 1; k < row.length; k++) row[k] = row[k - 1]! + wrapped(row[k]! - row[k - 1]!);
+  let last = NaN;
+  row.forEach((value, k) => {
+    if (!Number.isFinite(value)) return;
+    if (Number.isFinite(last)) row[k] = last + wrapped(value - last);
+    last = row[k]!;
+  });
 }

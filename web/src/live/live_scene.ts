@@ -49,7 +49,7 @@ export function sceneOf(base: Scene, live: LiveModel, motion: Motion = live.moti
     traces,
     time,
     values,
-    open: openings(motion, time.length),
+    open: openings(motion, 4 * data.poses.length, time.length),
     /** Found when they are looked at: mostly they aren't. */
     get centrodes() {
       return (rolling ??= centrodesOf(base.centrodes ?? [], links, live, motion));
@@ -88,5 +88,7 @@ function poseOf(link: LinkData, poses: readonly string[], rows: readonly Float64
 }
 
 /** At which poses some link has no place of its own. */
-const openings = ({ failure, rows }: Motion, count: number): boolean[] =>
-  Array.from({ length: count }, (_, k) => failure !== null && rows.some((row) => !Number.isFinite(row[k]!)));
+const openings = ({ failure, rows }: Motion, places: number, count: number): boolean[] =>
+  Array.from({ length: count }, (_, k) => {
+    return failure !== null && rows.slice(0, places).some((row) => !Number.isFinite(row[k]!));
+  });

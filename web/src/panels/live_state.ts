@@ -59,11 +59,12 @@ export function liveState(
     badge.hidden = !changed;
     write(badge, `◐ ${say("live.changed")}`);
     for (const button of [reset, copied]) button.hidden = !changed;
-    bar.toggleAttribute("hidden", !changed && live.sound && !live.undoable);
+    const quiet = !changed && live.sound && !motion.failure;
+    bar.toggleAttribute("hidden", quiet && !live.undoable);
     undo.hidden = !live.undoable;
-    back.hidden = !motion.failure;
+    back.hidden = !motion.failure || !live.closed;
     lines.hidden = !changed;
-    line.hidden = !changed && live.sound;
+    line.hidden = quiet;
     line.classList.toggle("bad", Boolean(motion.failure) || !live.sound);
     clearTimeout(waiting);
     waiting = window.setTimeout(() => later(scene), 80);

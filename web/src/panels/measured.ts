@@ -71,14 +71,15 @@ export function measured(live: LiveModel, say: Say, time: Pick<TimeAxis, "unit">
       const place = places[i];
       if (place) write(place, figure?.time != null ? `t = ${sixDigits(figure.time / second)} ${time.unit}` : "–");
       const was = before[label];
+      const after = values[i]?.nextElementSibling;
+      const note = after?.classList.contains("was") ? after : null;
       if (figure && was && values[i]) {
         const change = shown((figure.value - was.value) / measure.size, true);
         const original = shown(was.value / measure.size);
         const text = filled(say("live.original"), { value: original, change });
-        const note = values[i]!.nextElementSibling;
-        if (note?.classList.contains("was")) write(note, text);
+        if (note) write(note, text);
         else values[i]!.after(html("span", { class: "note was" }, null, text));
-      }
+      } else note?.remove(); // a change belongs to a value
     });
     const grade = isLive(measure) ? say("live.sampled") : say("live.not_computed");
     for (const note of line.querySelectorAll<HTMLElement>(".grade")) write(note, grade);

@@ -19,6 +19,8 @@ export interface Card {
   readonly chart: Chart | null;
   /** What it shows now, which it computes where it isn't in sight. */
   curves(): Curves;
+  /** Has a legend, which one that was never in sight lacks. */
+  named(): void;
   shown(curve: number): boolean;
   /** Another choice; `changed`: its values are others. */
   update(choice?: Choice): void;
@@ -123,6 +125,9 @@ export function card(
       return drawn;
     },
     curves: () => (curves && !stale ? curves : curvesOf(made.choice, title, signals, board.x, board.times)),
+    named() {
+      if (!outputs.length) legends(made.curves());
+    },
     shown: (i) => !hidden.has(i),
     update(choice = made.choice) {
       made.choice = choice;

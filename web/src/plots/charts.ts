@@ -198,6 +198,7 @@ export function charts(options: ChartsOptions): Charts {
       return cards.flatMap(({ card }) => (card.chart ? [card.chart.uplot] : []));
     },
     toPaper() {
+      for (const { card } of cards) card.named();
       onPaper = cards.map(({ card }) => paperChart(found(".chart", card.box), card.curves(), shared.window, colour));
     },
     toScreen() {

@@ -252,6 +252,8 @@ export class Mechanism {
       for (const [k, x] of this.poses.entries()) {
         program.pose(x, y);
         const time = this.times[k]!;
+        x[row] = 0;
+        if (!Number.isFinite(y[0]!)) continue; // what can't be assembled leaves the angle where it was
         if (before === null) path = y[0]! + (started ? 2 * Math.PI * wholeTurns(y[0]!, starts[i]!) : 0);
         else path += this.turned(program, before.time, here, time, y, 0);
         here.set(y);

@@ -97,6 +97,7 @@ TEXTS: dict[str, str] = {
     "report.not_assembled": "Can't be assembled here",
     "report.pass": "passed",
     "report.notes": "Notes",
+    "report.of_file": "Results of the model file: they are not recomputed after a change here.",
     "report.paths": "Paths",
     "report.pause": "Pause",
     "report.play": "Play",

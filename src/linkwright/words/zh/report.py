@@ -97,6 +97,7 @@ TEXTS: dict[str, str] = {
     "report.not_assembled": "此处无法装配",
     "report.pass": "合格",
     "report.notes": "提示",
+    "report.of_file": "模型文件的结果：在本页修改数值后不重新计算。",
     "report.paths": "轨迹",
     "report.pause": "暂停",
     "report.play": "播放",
