@@ -10,7 +10,7 @@ TEXTS: dict[str, str] = {
     "accuracy.parted.why": "这些输出与偏差呈非线性关系，例如在死点附近：此处应以蒙特卡洛的结果为准。",
     "accuracy.parted.along": "在 {poses} 个位姿中，有 {count} 个位姿的均方根法（RSS）与蒙特卡洛结果不一致，位于 {low} .. {high}。",
     "accuracy.searched": "{name}：按非线性机构搜索得到的极值为 {low} .. {high} {unit}；线性极值法的结果与之相差 {off}（相对于极值的宽度）。",
-    "accuracy.searched.bound": "{name}：按非线性机构搜索得到的偏差为 {low} .. {high} {unit}；线性极值法的结果与之相差 {off}（相对于偏差的宽度）。不能排除更大的偏差：所列为极值的下界。",
+    "accuracy.searched.bound": "{name}：按非线性机构搜索得到的偏差为 {low} .. {high} {unit}；线性极值法的结果与之相差 {off}（相对于偏差的宽度）。以上是搜索到的偏差，实际极值可能更大。",
     "accuracy.at": "时刻：{time}。",
     "accuracy.tie": "{name}：最大值或最小值在两处同时出现，因此名义尺寸两侧的系数不同（小于/大于名义尺寸）。",
     "accuracy.lost": "{low} .. {high} {unit}：{why}",

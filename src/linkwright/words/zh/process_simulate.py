@@ -1,7 +1,7 @@
 """Words of the export to Process Simulate."""
 
 TEXTS: dict[str, str] = {
-    "functions.head": "# {title}：Process Simulate 运动副函数，方言 {dialect}",
+    "functions.head": "# {title}：Process Simulate 运动副函数，语法格式 {dialect}",
     "functions.units": "# 单位：rad 和 mm。每个函数为一行文本，属于其上方所列的运动副。",
     "functions.proof": "# 已在整个范围内与求解器核对：取 {decimals} 位小数时最大偏差 {error}。",
     "functions.master": "# 以 {master} 代替 {drive} 所驱动的运动副作为主动运动副：在此范围内其运动不换向。",
@@ -16,5 +16,5 @@ TEXTS: dict[str, str] = {
     "functions.D+": "沿直线方向为正",
     "functions.D-": "沿直线反方向为正",
     "functions.snippet": "按名称为各运动副赋值；该工具接受的各段文本不带引号。",
-    "functions.done": "{count} 个运动副函数，方言 {dialect}：取 {decimals} 位小数时最大偏差 {error}（rad 或 mm）；最长的有 {longest} 个字符。",
+    "functions.done": "{count} 个运动副函数，语法格式 {dialect}：取 {decimals} 位小数时最大偏差 {error}（rad 或 mm）；最长的有 {longest} 个字符。",
 }

@@ -2,7 +2,7 @@
 
 TEXTS: dict[str, str] = {
     "sheet.title": "{name}：运动副函数",
-    "sheet.subtitle": "Process Simulate，方言 {dialect}，{decimals} 位小数。由 {drive} 驱动，{range}；在此范围内所有函数与求解器的最大偏差：{error}。",
+    "sheet.subtitle": "Process Simulate，语法格式 {dialect}，{decimals} 位小数。由 {drive} 驱动，{range}；在此范围内所有函数与求解器的最大偏差：{error}。",
     "sheet.drawing": "连杆机构",
     "sheet.drawing.title": "零位时的连杆机构，标有构件编号和运动副名称",
     "sheet.drawing.note": "实线：零位，此时所有函数均为 0。虚线：{drive} 为 {far}。",

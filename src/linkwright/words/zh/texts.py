@@ -229,7 +229,7 @@ TEXTS: dict[str, str] = {
     "cli.post": "为指定的数控系统写出数控代码，代替文件中给定的系统：fanuc、linuxcnc、siemens 或 grbl；可重复给出。",
     "cli.export": "将机构导出到其他工具。导出的文件均经验证；给出 CSV 文件时，每行导出一个机构。",
     "cli.to": "目标工具或格式，例如 mjcf。",
-    "cli.dialect": "导出目标所用公式的方言（有多种时）；等同于 --set dialect=NAME。",
+    "cli.dialect": "导出目标所用公式的语法格式（有多种时）；等同于 --set dialect=NAME。",
     "cli.set": "覆盖导出目标的一个选项，值的写法与文件中相同；可重复给出。",
     "cli.dxf": "无法写出 workspace.dxf 时报错（需要 ezdxf）。",
     "cli.png": "同时写出 workspace.png（需要 resvg_py）。",

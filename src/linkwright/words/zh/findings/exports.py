@@ -23,11 +23,11 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "export.handle": (
         "把手 {name} 是机架上的点，不会运动。",
-        "指定门盖（panel）上的一点，即开启时手握之处。",
+        "指定盖板平台（panel）上的一点，即开启时手握之处。",
     ),
     "export.outline": (
         "这些点不能构成外轮廓：{reason}。",
-        "按绕行顺序列出门盖（panel）上至少三个点，每点一次。",
+        "按绕行顺序列出盖板平台（panel）上至少三个点，每点一次。",
     ),
     "export.setting": (
         "“{given}”不符合 KEY=VALUE 的形式。",

@@ -10,23 +10,23 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "将其从 left_out 中删除。",
     ),
     "functions.master-left-out": (
-        "运动副 {joint} 列在 left_out 中，但它是主运动副（master）：所有函数都以它为自变量。",
+        "运动副 {joint} 列在 left_out 中，但它是主动运动副（master）：所有函数都以它为自变量。",
         "将其从 left_out 中删除，或将 master 改为其他运动副。",
     ),
     "functions.master-cam": (
-        "运动副 {joint} 不能作为主运动副（master）：从动件（{drives}）的函数以其驱动的运动副为自变量。",
+        "运动副 {joint} 不能作为主动运动副（master）：从动件（{drives}）的函数以其驱动的运动副为自变量。",
         "删除 master，即以驱动的运动副为主动运动副。",
     ),
     "functions.master-still": (
-        "运动副 {joint} 不能作为主运动副（master）：它在该范围内不运动。",
+        "运动副 {joint} 不能作为主动运动副（master）：它在该范围内不运动。",
         "指定一个会运动的运动副。在整个范围内单向运动的有：{others}。",
     ),
     "functions.master-zero": (
-        "运动副 {joint} 不能作为主运动副（master）：它在 {drive} = {at} {unit} 处有死点，运动方向在此反转，而零位就在该处。",
+        "运动副 {joint} 不能作为主动运动副（master）：它在 {drive} = {at} {unit} 处有死点，运动方向在此反转，而零位就在该处。",
         "将 zero 设为远离该处的 {drive} 值，或将 master 改为其他运动副。在整个范围内单向运动的有：{others}。",
     ),
     "functions.master-turns": (
-        "在该范围内，运动副 {joint} 不能作为主运动副（master）：它在 {drive} = {at} {unit} 处有死点，运动方向在此反转，同一个值对应两个位姿。",
+        "在该范围内，运动副 {joint} 不能作为主动运动副（master）：它在 {drive} = {at} {unit} 处有死点，运动方向在此反转，同一个值对应两个位姿。",
         "将 range 设在 [{low} {unit}, {high} {unit}] 之内，或将 master 改为其他运动副。在整个范围内单向运动的有：{others}。",
     ),
     "functions.master-cut": (
@@ -38,7 +38,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "将 stops 设在 [{low} {unit}, {high} {unit}] 之内，即零位附近的可用范围。",
     ),
     "functions.master-structure": (
-        "运动副 {joint} 不能作为主运动副（master）：若以它代替 {drive} 作为驱动，机构将欠约束或过约束。",
+        "运动副 {joint} 不能作为主动运动副（master）：若以它代替 {drive} 作为驱动，机构将欠约束或过约束。",
         "在 {drive} 所带动的环路中指定一个运动副。",
     ),
     "functions.no-dependent": (
@@ -62,16 +62,16 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "手工编写函数：此类环路中各移动副的行程彼此成正比。",
     ),
     "functions.shared-pin": (
-        "驱动 {drive} 使铰链 {pin} 上的两个构件相对运动，但该铰链上有其他构件排在它们之前；目标软件的运动副将铰链上的第一个构件与其余各构件分别连接。",
+        "驱动 {drive} 使铰链 {pin} 上的两个构件相对运动，但该铰链上有其他构件排在它们之前；Process Simulate 的运动副将铰链上的第一个构件与其余各构件分别连接。",
         "改为使其中一个构件相对于铰链上的第一个构件运动，或为该驱动单独设置铰链。",
     ),
     "functions.too-many": (
-        "连同辅助运动副，共需 {count} 个运动副；目标软件的函数最多支持 {limit} 个。",
+        "连同辅助运动副，共需 {count} 个运动副；Process Simulate 的函数最多支持 {limit} 个。",
         "将用于封闭环路的运动副列入 left_out，允许更长的函数文本，或只导出机构的一部分。",
     ),
     "functions.name": (
-        "在目标软件中，运动副 {joint} 不能命名为“{name}”。",
-        "在 names 中为其命名，最多 60 个字符，只用字母 A 至 Z、数字和下划线，且不以数字开头；目标软件是否接受其他名称尚不清楚。",
+        "在 Process Simulate 中，运动副 {joint} 不能命名为“{name}”。",
+        "在 names 中为其命名，最多 60 个字符，只用字母 A 至 Z、数字和下划线，且不以数字开头；Process Simulate 是否接受其他名称尚不清楚。",
     ),
     "functions.same-name": (
         "有多个运动副名为“{name}”：{joints}。",
@@ -90,11 +90,11 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "将驱动的起点设在机构不处于死点的位置；limits 分析会列出其运动范围。",
     ),
     "functions.toggle": (
-        "{of} 由 {from} 到 {to} {unit} 时，机构经过肘节位置（杆组 {groups}）：两种装配模式在此汇合，一个函数无法兼顾二者。",
+        "{of} 由 {from} 到 {to} {unit} 时，机构经过死点（构件共线；杆组 {groups}）：两种装配模式在此汇合，一个函数无法兼顾二者。",
         "将 {key} 设在 [{low} {unit}, {high} {unit}] 之内，即起始位姿附近的最大范围。",
     ),
     "functions.zero": (
-        "在起始位姿与零位（{drive} = {zero} {unit}）之间，机构经过肘节位置（杆组 {groups}）：一个函数无法兼顾两种装配模式。",
+        "在起始位姿与零位（{drive} = {zero} {unit}）之间，机构经过死点（构件共线；杆组 {groups}）：一个函数无法兼顾两种装配模式。",
         "将 zero 设在 [{low} {unit}, {high} {unit}] 之内，或将驱动的起点设在零位一侧。",
     ),
     "functions.still": (
@@ -102,8 +102,8 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "若它们应当运动，检查是否有两个铰链中心重合，或范围是否过小。",
     ),
     "functions.sweep": (
-        "在该范围内，有一个方向相对于任何构件都要转过 {spread} deg（运动副 {joints}）；方言 {dialect} 只能覆盖 {most} deg。",
-        "缩小范围；方言 seed 的反余弦无法覆盖的范围，改用 wizard 的 atan2 或许可行。",
+        "在该范围内，有一个方向相对于任何构件都要转过 {spread} deg（运动副 {joints}）；语法格式 {dialect} 只能覆盖 {most} deg。",
+        "缩小范围；语法格式 seed 的反余弦无法覆盖的范围，改用 wizard 的 atan2 或许可行。",
     ),
     "functions.error": (
         "无论取多少位小数，在 {drive} = {at} {unit} 处函数误差都为 {error}（rad 或 mm）。",
