@@ -13,6 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
+import linkwright as lw
 from helpers.compiled import compiled_from, compiled_of, regular
 from helpers.examples import UNITS, feeder, four_bar, heavy_four_bar, slider_crank
 from helpers.random_mechanisms import DURATION, RECIPES, mechanisms
@@ -21,13 +22,15 @@ from linkwright.graph.rows import BodyPlace, Named
 from linkwright.kernels import Compiled
 from linkwright.model.document import load
 from linkwright.results import Result
-from linkwright.results.certificate import RESIDUALS, Certificate, Nearest, certify
+from linkwright.results.certificate import RESIDUALS, Certificate, Nearest, certify, rank
+from linkwright.results.independent_check import Reports
 from linkwright.results.run import Run
 from linkwright.studies.cycle.study import unproven
 from linkwright.studies.cycle.verification import checks
 from linkwright.words import in_language
 
 Array = NDArray[np.float64]
+EXAMPLES = Path(__file__).parents[2] / "examples"
 SPRUNG = Path(__file__).parents[1] / "model" / "data" / "sprung.yaml"
 
 
@@ -48,6 +51,19 @@ def test_random_mechanisms_are_proven(recipe: str, data: Any) -> None:
     assert set(certificate.branches) == {group.label for group in compiled.structure.groups}
     heavy = any(link.mass is not None for link in plain.links.values()) or plain.loads
     assert (certificate.equilibrium is None) == (not heavy)
+
+
+FOLLOWED = ["cam_linkage", "conjugate_cam", "coupled_cranks", "geneva_drive", "groove_cam", "heat_seal_cam"]
+
+
+@pytest.mark.parametrize("name", [*FOLLOWED, "welded_bracket"])
+def test_a_follower_takes_one_freedom(name: str) -> None:
+    """Plate cams, Geneva drives, couplings and welds move by one motor alone, in dwells too."""
+    compiled = lw.compile(EXAMPLES / f"{name}.yaml")
+    assert compiled.mechanism.followers
+    topology = compiled.structure.topology
+    constraints = rank(Reports(compiled, np.array([0.0, 0.1137, 0.2719, 0.4131, 0.83])))
+    assert 3 * len(topology.moving) - constraints == topology.gruebler == len(compiled.mechanism.drives) == 1
 
 
 def test_the_feeder_is_proven_over_a_whole_cycle() -> None:

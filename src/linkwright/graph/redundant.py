@@ -193,8 +193,8 @@ class _Whole:
 
 
 def _movable(part: Removable, structure: Structure, whole: _Whole) -> Finding:
-    rank = whole.rank()
-    data: dict[str, Any] = {"part": part.name, "rank": rank, "mobility": whole.system.width - rank}
+    rank, followers = whole.rank(), len(structure.topology.mechanism.followers)
+    data: dict[str, Any] = {"part": part.name, "rank": rank, "mobility": whole.system.width - rank - followers}
     data |= {"constraints": len(whole.system.rows), "gruebler": structure.topology.gruebler}
     return Finding("structure.redundant-movable", (part.kind, part.name), data)
 

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from linkwright.data_classes import dataclass
 from linkwright.elements.joint import Rate
+from linkwright.elements.mover import exerted
 from linkwright.findings import Joined, Term
 from linkwright.graph.rows import determinants, spans
 from linkwright.kernels.kernel_selection import KernelChoice, choose
@@ -264,10 +265,12 @@ def scattered(run: Run) -> Array:
 
 
 def rank(r: Reports) -> int:
-    """The rank of the joints' constraint Jacobian, at that of the poses where it is largest."""
+    """The rank of the constraint Jacobian of joints and followers, at that of the poses where it is largest."""
     joints = r.topology.joints.items()
     rows = [row for name, (kind, links) in joints for row in kind.constraints(r, name, links)]
-    matrices = [matrix for pose in range(r.count) if np.isfinite(matrix := jacobian(r, rows, pose)).all()]
+    followed = follower_rows(r)
+    every = [np.vstack([jacobian(r, rows, pose), followed[:, :, pose]]) for pose in range(r.count)]
+    matrices = [matrix for matrix in every if np.isfinite(matrix).all()]
     return max((int(np.linalg.matrix_rank(matrix, tol=1e-9)) for matrix in matrices), default=0)
 
 
@@ -287,6 +290,29 @@ def jacobian(r: Reports, constraints: list[list[Rate]], pose: int) -> Array:
             arm = (rate.place - r.point_position(rate.link, (0.0, 0.0)))[:, pose] / size
             own += [x, y, y * arm[0] - x * arm[1]]
     return rows
+
+
+def follower_rows(r: Reports) -> Array:
+    """What each follower constrains, over the same velocities: (followers, 3 links, poses).
+
+    Its joint moves with the ratio of the reported rates, as if an effort there and that of the motor did no work.
+    """
+    index = {link: 3 * i for i, link in enumerate(r.topology.moving)}
+    movers, size = r.mechanism.movers, r.size()
+    rows = np.zeros((len(r.mechanism.followers), 3 * len(index), r.count))
+    for row, (name, follower) in zip(rows, r.mechanism.followers.items(), strict=True):
+        motor = movers[follower.motor]
+        rate, motor_rate = r.rows[f"{name}.{follower.rate}"], r.rows[f"{follower.motor}.{motor.rate}"]
+        ratio = np.divide(rate, motor_rate, out=np.zeros(r.count), where=motor_rate != 0.0)
+        applied = exerted(follower, r, name, np.ones(r.count))
+        applied += exerted(motor, r, follower.motor, -ratio)
+        for link, force, place, moment in applied:
+            if link == FRAME:
+                continue
+            arm = place - r.point_position(link, (0.0, 0.0))
+            turning = force[1] * arm[0] - force[0] * arm[1] + moment
+            row[index[link] : index[link] + 3] += [*force, turning / size]
+    return rows / np.maximum(np.linalg.norm(rows, axis=1, keepdims=True), 1e-300)
 
 
 def nearest(run: Run) -> Nearest | None:

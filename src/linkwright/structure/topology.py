@@ -130,9 +130,12 @@ class Topology:
 
     @property
     def gruebler(self) -> int:
-        """Mobility by Gruebler's count: three freedoms of each moving link, less the constraints of all joints; one
-        more for each slide that closes a loop of slides alone, since its direction is held by the others already."""
-        rows = PIN.rows * self.pinned + sum(c.rows for c in self.but_pins)
+        """Mobility by Gruebler's count: three freedoms of each moving link, less the constraints of all joints.
+
+        A follower is a higher pair (or a relation of its kind) and takes one freedom. A slide that closes a loop of
+        slides alone gives one back, since its direction is held by the others already.
+        """
+        rows = PIN.rows * self.pinned + sum(c.rows for c in self.but_pins) + len(self.mechanism.followers)
         return FREEDOMS * len(self.moving) - rows + len(self.closing_slides)
 
     @cached_property
