@@ -29,7 +29,7 @@ TEXTS: dict[str, str] = {
     "fact.parameters": "Dimensions",
     "fact.mobility": "Mobility",
     "fact.mobility.text": "{mobility} by Gruebler's count (moving links: {moving}, joints: {joints}, drives: {drives}, independent loops: {loops})",
-    "fact.mobility.followers": "{drives}, followers: {followers}, each of which takes one degree of freedom",
+    "fact.mobility.followers": "{drives}, followers: {followers}, each of which is a constraint",
     "fact.order": "Solution order",
     "fact.order.driven": "{link} driven by {drive} on {base}",
     "fact.order.output": "{link} on {base} as the output of {drive}",
