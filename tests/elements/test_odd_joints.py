@@ -54,7 +54,7 @@ def test_a_disc_on_a_circle_of_a_fixed_distance_is_redundant() -> None:
     assert {finding.code.partition(".")[0] for finding in found(data)} == {"structure"}
 
 
-@pytest.mark.parametrize("factor", [1e9, 1e30, -1e30])
+@pytest.mark.parametrize("factor", [1e12, 1e30, -1e30])
 def test_an_angle_that_double_precision_cannot_resolve_is_refused(factor: float) -> None:
     data = wheel_on({"coupling": ["wheel", "frame"], "follows": f"{factor}*motor.angle"})
     assert codes(found(data)) == ["motion.angle-too-large"]

@@ -312,7 +312,7 @@ def follower_rows(r: Reports) -> Array:
             arm = place - r.point_position(link, (0.0, 0.0))
             turning = force[1] * arm[0] - force[0] * arm[1] + moment
             row[index[link] : index[link] + 3] += [*force, turning / size]
-    return rows / np.maximum(np.linalg.norm(rows, axis=1, keepdims=True), 1e-300)
+    return np.asarray(rows / np.maximum(np.linalg.norm(rows, axis=1, keepdims=True), 1e-300))
 
 
 def nearest(run: Run) -> Nearest | None:

@@ -22,8 +22,8 @@ from linkwright.studies.numbers import constant
 
 LONGEST = 1e12
 """No run is longer (s)."""
-LARGEST_ANGLE = 1e-8 / np.finfo(float).eps
-"""Up to here (rad) an angle is known to 1e-8 rad; beyond it poses are round-off."""
+LARGEST_ANGLE = 1e-5 / np.finfo(float).eps
+"""Up to here (rad) an angle is known to 1e-5 rad; beyond it poses are round-off."""
 LOOKS = 33
 """At so many times of the run angles are looked at."""
 
