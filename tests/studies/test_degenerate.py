@@ -219,3 +219,67 @@ def test_motion_and_limits_through_change_points(make: Callable[..., Family], se
 def test_many_of_them(make: Callable[..., Family]) -> None:
     for seed in range(2, 42):
         held_to_its_closed_form(make, seed)
+
+
+DOUBLE_ROOTS = {
+    # Straight-line lifts: each carries the platform's pin along an upright line, so that its angle has a double root.
+    "scott-russell": {
+        "units": UNITS,
+        "links": {
+            "frame": {"points": {"P1": [0, 0], "P2": [800, 0], "R": [0, 0]}},
+            "short1": {"points": {"P1": [0, 0], "M1": [300, 0]}},
+            "long1": {"points": {"S1": [0, 0], "M1": [300, 0], "T1": [600, 0]}},
+            "short2": {"points": {"P2": [0, 0], "M2": [300, 0]}},
+            "long2": {"points": {"S2": [0, 0], "M2": [300, 0], "T2": [600, 0]}},
+            "platform": {"points": {"T1": [0, 0], "T2": [800, 0]}},
+        },
+        "joints": {
+            "g1": {"pin_in_slot": ["long1", "frame"], "pin": "S1", "straight": "R at 0 deg"},
+            "g2": {"pin_in_slot": ["long2", "frame"], "pin": "S2", "straight": "R at 0 deg"},
+        },
+        "assembly": {
+            "S1": [500, 0], "M1": [250, 166], "T1": [0, 332], "S2": [1300, 0], "M2": [1050, 166], "T2": [800, 332],
+        },
+        "drives": {
+            "ram": {
+                "moves": "long1", "at": "S1", "on": "frame", "along": "R at 0 deg",
+                "position": "500 mm - 50 mm*t/(1 s)",
+            }
+        },
+        "studies": {"cycle": {"duration": "2 s", "samples": 40}},
+    },
+    # Two scissors side by side under one platform.
+    "tandem-scissor": {
+        "units": UNITS,
+        "links": {
+            "frame": {"points": {"A0": [0, 0], "E0": [1200, 0], "R": [0, 0]}},
+            "up1": {"points": {"A0": [0, 0], "B1": [1000, 0], "M": [500, 0]}},
+            "dn1": {"points": {"B0": [0, 0], "A1": [1000, 0], "M": [500, 0]}},
+            "up2": {"points": {"E0": [0, 0], "F1": [1000, 0], "N": [500, 0]}},
+            "dn2": {"points": {"F0": [0, 0], "E1": [1000, 0], "N": [500, 0]}},
+            "platform": {"points": {"A1": [0, 0], "E1": [1200, 0]}},
+        },
+        "joints": {
+            "r1": {"pin_in_slot": ["dn1", "frame"], "pin": "B0", "straight": "R at 0 deg"},
+            "r2": {"pin_in_slot": ["dn2", "frame"], "pin": "F0", "straight": "R at 0 deg"},
+        },
+        "assembly": {
+            "B0": [900, 0], "A1": [0, 436], "B1": [900, 436], "F0": [2100, 0], "E1": [1200, 436], "F1": [2100, 436],
+        },
+        "drives": {
+            "ram": {
+                "moves": "dn1", "at": "B0", "on": "frame", "along": "R at 0 deg",
+                "position": "900 mm - 20 mm*t/(1 s)",
+            }
+        },
+        "studies": {"cycle": {"duration": "5 s", "samples": 50}},
+    },
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", DOUBLE_ROOTS)
+def test_a_group_with_a_double_root_in_every_pose_is_refused(name: str) -> None:
+    """It was followed with a smallest singular value of round-off, and ended as NaN in the certificate."""
+    job = job_of(DOUBLE_ROOTS[name])
+    assert job.exit_code == 1
+    assert codes(job.cycle.failures) == ["motion.singular-throughout"]

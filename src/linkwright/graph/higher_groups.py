@@ -63,12 +63,24 @@ class SolvedHigherGroup:
     closures: Closures
 
     def determinant(self) -> Scalar:
-        """The determinant over the product of its columns' lengths: 0 singular, 1 best (Hadamard)."""
-        product: Scalar = 1.0
-        for i in range(len(self.slopes)):
-            column = [row[i] for row in self.slopes]
-            product = product * call("sqrt", sum((entry * entry for entry in column), 0.0))
-        return self.factor.determinant() / product
+        """The margin to a singular pose, with the determinant's sign: 0 singular, 1 best; undefined where an equation
+        has no slope at all.
+
+        It is sqrt(n) over the Frobenius norm of the inverse of the matrix whose columns have the length 1: a reciprocal
+        condition, which passes through zero as the determinant does. Of two equations it is the determinant itself
+        (Hadamard's, over the product of its columns' lengths); that of many equations shrinks with their number,
+        although no pose is near.
+        """
+        n = len(self.slopes)
+        lengths = [sum((row[i] * row[i] for row in self.slopes), 0.0) for i in range(n)]
+        determinant = self.factor.determinant()
+        if isinstance(determinant, float) and determinant == 0.0:
+            return 0.0  # numbers have no inverse there; symbols have one that isn't finite
+        inverse: Scalar = 0.0
+        for k in range(n):
+            answer = self.factor.solve([1.0 if i == k else 0.0 for i in range(n)])
+            inverse = inverse + sum((one * one * size for one, size in zip(answer, lengths, strict=True)), 0.0)
+        return call("sign", determinant) * math.sqrt(n) / call("sqrt", inverse)
 
     def balance(self, wrenches: dict[str, Wrench], bodies: dict[str, Body], beside: Beside) -> list[Balanced]:
         """Of each closure what keeps all links in equilibrium."""

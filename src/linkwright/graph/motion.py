@@ -48,7 +48,7 @@ class Motion:
         return next(found for higher_group, found in self.higher_groups.items() if higher_group.label == label)
 
     def determinant(self, label: str) -> Scalar:
-        """The normalised determinant of a dyad or higher group."""
+        """The margin to singularity of a dyad (its normalised determinant) or higher group."""
         dyads = {group.label: solved.determinant for group, (_, solved) in self.dyads.items()}
         return dyads[label] if label in dyads else self.higher_group(label).determinant()
 

@@ -120,7 +120,7 @@ class Radicand(GroupRow):
 
 @dataclass(frozen=True)
 class Determinant(GroupRow):
-    """The normalised determinant of a group or higher group: 0 singular, 1 best."""
+    """The margin to singularity of a group or higher group: 0 singular, 1 best."""
 
     called = "determinant:{group}"
 

@@ -58,6 +58,14 @@ class HigherGroupPath:
         self.end = self.end if piece.end is None else piece.end
 
 
+SIDEWAYS, SIDEWAYS_STEPS = 1e-5, 10
+"""Singular values below this share of the largest one belong to the direction in which a double root is double; the
+steps that leave that direction out."""
+DOUBLE, DOUBLE_STEPS = 1e-6, 40
+"""The share below which the smallest singular value at a double root is, and the steps towards it: each halves the
+distance, until round-off (of the gaps: the square) stops them."""
+
+
 class Corrector:
     """Newton on one higher group, from inputs in which the coordinates of earlier higher groups stand already."""
 
@@ -109,6 +117,24 @@ class Corrector:
             beginning = self.slopes(x[:, moved], start[:, moved], own)
             sure[moved] = bending(beginning, ending[moved], self.sizes(found[:, moved])) < BENT
         return np.asarray(sure)
+
+    def has_double_root(self, x: Array, u: Array, p: Array) -> bool:
+        """Whether the root nearest to coordinates ``u`` (n,) at one pose (inputs, 1) is a double one.
+
+        There the closures meet, and one direction of the coordinates leaves them met to first order.
+        """
+        x, u = x.copy(), u.copy()
+        for k in range(SIDEWAYS_STEPS + DOUBLE_STEPS):
+            x[self.rows, 0] = u
+            gaps, slopes = self.closure_errors(x, p)
+            if not (np.isfinite(gaps).all() and np.isfinite(slopes).all()):
+                return False
+            # From another pose a step along the double direction would be far too long: at first it stays out.
+            smallest = SIDEWAYS if k < SIDEWAYS_STEPS else None
+            columns = slopes[0] * self.scale
+            u -= np.linalg.lstsq(columns, gaps[:, 0], rcond=smallest)[0] * self.scale
+        values = np.linalg.svd(columns, compute_uv=False)
+        return bool(np.abs(gaps[:, 0]).max() <= DOUBLE**2 * values[0] and values[-1] <= DOUBLE * values[0])
 
     def newton(self, x: Array, start: Array, p: Array) -> Array:
         """Newton on all poses at once."""

@@ -30,7 +30,7 @@ PROVEN = 1e-9
 
 @dataclass(frozen=True)
 class Nearest:
-    """The group nearest to a singular pose: its normalised determinant (0 singular, 1 best) and the time (s)."""
+    """The group nearest to a singular pose: its margin (0 singular, 1 best) and the time (s)."""
 
     group: str
     determinant: float
@@ -316,7 +316,7 @@ def follower_rows(r: Reports) -> Array:
 
 
 def nearest(run: Run) -> Nearest | None:
-    """The smallest normalised determinant of a group over the run, root-found between the samples.
+    """The smallest margin to singularity of a group over the run, root-found between the samples.
 
     Of a group whose pose is vague where a distance vanishes, that over its largest counts too. The bands about change
     points through which a group is carried are left out: its determinant is zero there.
@@ -340,6 +340,7 @@ def _nearest(run: Run) -> Nearest | None:
     turning = stationary(rates, run.start, run.stop, run.grid) if rows else []
     every = np.unique(np.concatenate([[run.start, run.stop], *turning]))
     at_all = np.abs(run.compiled.evaluate(rows, every)) / largest[:, None] if rows else np.empty((0, every.size))
+    at_all = np.nan_to_num(at_all, nan=0.0)  # undefined where it is exactly singular
     for row, own, size in zip(rows, turning, at_all, strict=True):
         times = np.concatenate([own, [run.start, run.stop]])
         times = times[run.compiled.passages.outside(times, row.group)]

@@ -32,6 +32,9 @@ NEAR = 1e-3
 SMALL = 1e-3
 """A margin to singularity that isn't above this is worth a warning."""
 
+BESIDE = (0.0, 1e-4, 1e-3)
+"""The shares of the run at which a higher group is looked at from its start pose."""
+
 
 def unassembled(run: Run) -> list[Finding]:
     """Each interval of the run in which a group can't be assembled, by the group that fails first."""
@@ -183,14 +186,21 @@ def singular(run: Run, code: str = "motion.singular") -> list[Finding]:
 
 
 def singular_throughout(run: Run) -> list[Finding]:
-    """A finding for each dyad whose two modes coincide, or whose outer pins do, in all poses of the run: neither its
-    motion nor its forces are determined."""
+    """A finding for each group whose two modes coincide, or whose outer pins do, in all poses of the run: neither its
+    motion nor its forces are determined. Of a higher group at the start and a little later, as it can't be followed."""
     findings, size = [], run.compiled.assembly.size()
     for row in change_rows(run.compiled.structure):
         _, values = row_of(run, row)
         if values.size and (np.abs(values) <= TOUCH * (size**2 if isinstance(row, Apart) else 1.0)).all():
             path = ("links", row.group.split("-")[0])
             findings.append(Finding("motion.singular-throughout", path, {"group": row.group}))
+    times = run.start + np.array(BESIDE) * (run.stop - run.start)
+    inputs = run.compiled.inputs(times) if run.compiled.followers else np.empty((0, 0))
+    for follower in run.compiled.followers:
+        poses = [inputs[:, [i]] for i in range(times.size)]
+        if all(follower.has_double_root(pose, follower.start, run.compiled.parameters) for pose in poses):
+            group = follower.higher_group
+            findings.append(Finding("motion.singular-throughout", ("links", group.links[0]), {"group": group.label}))
     return findings
 
 

@@ -37,7 +37,7 @@ GROWS = 50.0
 
 
 VAGUE = 1e-5
-"""Where the normalised determinant of a higher group is below this, the last digits of the dimensions decide where its
+"""Where the margin of a higher group is below this, the last digits of the dimensions decide where its
 links are: what turns there says nothing of the mechanism."""
 STANDS = 1e-11
 """A signal that changes by less than this share of its size stays the same but for round-off."""

@@ -94,7 +94,7 @@ TEXTS: dict[str, str] = {
     "proof.mobility": "Mobility",
     "proof.mobility.text": "Mobility from the rank of the constraints ({rank}); Gruebler's count gives {gruebler}.",
     "proof.nearest": "Margin to singularity",
-    "proof.nearest.text": "Smallest normalised determinant (1 = best, 0 = dead centre or change point): group {group} at t = {time}.",
+    "proof.nearest.text": "Smallest margin (1 = best, 0 = dead centre or change point): group {group} at t = {time}.",
     "proof.nearest.apart": "Change points that the motion passes through are excluded.",
     "proof.branches": "Assembly modes",
     "proof.branches.text": "No group changed its assembly mode during the run: {branches}.",

@@ -93,7 +93,7 @@ TEXTS: dict[str, str] = {
     "proof.mobility": "自由度",
     "proof.mobility.text": "由约束的秩（{rank}）得到的自由度；按 Grübler 公式计算为 {gruebler}。",
     "proof.nearest": "奇异裕度",
-    "proof.nearest.text": "最小归一化行列式（1 为最佳，0 为死点或变点）：杆组 {group}，t = {time}。",
+    "proof.nearest.text": "最小奇异裕度（1 为最佳，0 为死点或变点）：杆组 {group}，t = {time}。",
     "proof.nearest.apart": "运动所经过的变点不计入。",
     "proof.branches": "装配模式",
     "proof.branches.text": "运行全程中，各杆组均未改变装配模式：{branches}。",
