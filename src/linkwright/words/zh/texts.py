@@ -85,7 +85,7 @@ TEXTS: dict[str, str] = {
     "proof.power": "功率平衡",
     "proof.power.text": "在全部 {poses} 个位姿上，驱动、载荷、弹簧、重力与惯性力的功率平衡（最大残差与各项绝对值之和之比）。",
     "proof.signals": "输出信号",
-    "proof.signals.text": "在全部 {poses} 个位姿上，每个输出信号均与仅由位姿、速度和约束反力得出的另一公式一致，每个变化率的积分均等于相应信号的变化量（最大相对偏差：{signal}）。",
+    "proof.signals.text": "在全部 {poses} 个位姿上，各输出信号与另一公式一致，各变化率的积分等于信号的变化量（最大相对偏差：{signal}）。",
     "proof.measures": "测量项",
     "proof.measures.text": "另外两组网格上的数值均在所给最小值与最大值之间，均值与另一种数值积分的结果一致（最大相对差异）。",
     "proof.work": "功与能",
