@@ -22,8 +22,9 @@ from linkwright.graph.rows import BodyPlace, Named
 from linkwright.kernels import Compiled
 from linkwright.model.document import load
 from linkwright.results import Result
-from linkwright.results.certificate import RESIDUALS, Certificate, Nearest, certify, rank
+from linkwright.results.certificate import RESIDUALS, Certificate, certify, rank
 from linkwright.results.independent_check import Reports
+from linkwright.results.margins import Nearest
 from linkwright.results.run import Run
 from linkwright.studies.cycle.study import unproven
 from linkwright.studies.cycle.verification import checks

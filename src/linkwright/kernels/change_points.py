@@ -70,6 +70,11 @@ class Passage:
         side = np.linspace(0.5, 0.98, COMPARED)
         return self.time + GAP * self.width * np.concatenate([-side[::-1], side])
 
+    @property
+    def band(self) -> Array:
+        """The times at which the band begins and ends (s)."""
+        return self.time + GAP * self.width * np.array([-1.0, 1.0])
+
     def inside(self, t: Array) -> NDArray[np.bool_]:
         """Which times lie in the band."""
         return np.asarray(np.abs(t - self.time) < GAP * self.width)

@@ -9,16 +9,15 @@ from linkwright.data_classes import dataclass
 from linkwright.elements.joint import Rate
 from linkwright.elements.mover import exerted
 from linkwright.findings import Joined, Term
-from linkwright.graph.rows import determinants, spans
 from linkwright.kernels.kernel_selection import KernelChoice, choose
 from linkwright.model.signals import BREAKAWAY
 from linkwright.results.breakaway import creeping, efforts, starting
 from linkwright.results.claims import Claim, claims
 from linkwright.results.independent_check import Reports
+from linkwright.results.margins import Nearest, nearest
 from linkwright.results.quadrature import panel_points
 from linkwright.results.run import Run
 from linkwright.results.signal_check import SignalCheck
-from linkwright.results.stationary import magnitude, stationary
 from linkwright.structure import FRAME
 
 Array = NDArray[np.float64]
@@ -26,15 +25,6 @@ Array = NDArray[np.float64]
 RESIDUALS = ("closure", "equilibrium", "power", "work", "starting", "signals")
 PROVEN = 1e-9
 """A residual below this holds: far under any drawing tolerance, far over round-off."""
-
-
-@dataclass(frozen=True)
-class Nearest:
-    """The group nearest to a singular pose: its margin (0 singular, 1 best) and the time (s)."""
-
-    group: str
-    determinant: float
-    time: float
 
 
 @dataclass(frozen=True)
@@ -103,9 +93,7 @@ def certify(run: Run) -> Certificate:
     constraints = rank(Reports(compiled, apart[compiled.passages.bounded(apart)]))
     loaded = bool(reports.masses or any(one.kind.acts for one in reports.every))
     rules = compiled.assembly.rules
-    near = nearest(run)
-    margin = 1.0 if near is None else max(near.determinant, LEAST_MARGIN)
-    missed, signal = SignalCheck(run, reports, margin).worst()
+    missed, signal = SignalCheck(run, reports).worst()
     changes = {group.label: _changes(run, group.label) for group in compiled.structure.groups}
     return Certificate(
         closure=closure(reports),
@@ -116,7 +104,7 @@ def certify(run: Run) -> Certificate:
         gruebler=topology.gruebler,
         rank=constraints,
         loops=topology.loops,
-        nearest=near,
+        nearest=nearest(run),
         branches={
             **{g.label: _branch(rules.get(g, ""), changes[g.label]) for g in compiled.structure.groups},
             **{higher_group.label: "" for higher_group in compiled.structure.higher_groups},
@@ -251,8 +239,6 @@ def worked(run: Run, lows: Array, highs: Array) -> Array:
     return np.asarray(rates.reshape(2, lows.size, -1).sum(axis=2))
 
 
-LEAST_MARGIN = 1e-5
-"""The smallest normalised determinant by which lost digits of rates are excused."""
 SETTLED, MAX_PANELS = 1e-14, 1 << 14
 GOLDEN = (np.sqrt(5.0) - 1) / 2
 SCATTERED = 7
@@ -313,42 +299,6 @@ def follower_rows(r: Reports) -> Array:
             turning = force[1] * arm[0] - force[0] * arm[1] + moment
             row[index[link] : index[link] + 3] += [*force, turning / size]
     return np.asarray(rows / np.maximum(np.linalg.norm(rows, axis=1, keepdims=True), 1e-300))
-
-
-def nearest(run: Run) -> Nearest | None:
-    """The smallest margin to singularity of a group over the run, root-found between the samples.
-
-    Of a group whose pose is vague where a distance vanishes, that over its largest counts too. The bands about change
-    points through which a group is carried are left out: its determinant is zero there.
-    """
-    return run.cached(nearest, lambda: _nearest(run))
-
-
-def _nearest(run: Run) -> Nearest | None:
-    structure = run.compiled.structure
-    spanning = spans(structure)
-    rows = [*determinants(structure), *spanning]
-    largest = np.ones(len(rows))
-    if spanning:
-        largest[-len(spanning) :] = np.nanmax(run.compiled.evaluate(spanning, run.t), axis=1)
-
-    def rates(t: Array) -> tuple[Array, Array]:
-        values, slopes = magnitude(*run.compiled.rates(rows, t))
-        return values / largest[:, None], slopes / largest[:, None]
-
-    found = []
-    turning = stationary(rates, run.start, run.stop, run.grid) if rows else []
-    every = np.unique(np.concatenate([[run.start, run.stop], *turning]))
-    at_all = np.abs(run.compiled.evaluate(rows, every)) / largest[:, None] if rows else np.empty((0, every.size))
-    at_all = np.nan_to_num(at_all, nan=0.0)  # undefined where it is exactly singular
-    for row, own, size in zip(rows, turning, at_all, strict=True):
-        times = np.concatenate([own, [run.start, run.stop]])
-        times = times[run.compiled.passages.outside(times, row.group)]
-        if not times.size:
-            continue
-        values = size[np.searchsorted(every, times)]
-        found.append(Nearest(row.group, float(values.min()), float(times[values.argmin()])))
-    return min(found, key=lambda near: near.determinant, default=None)
 
 
 def _cross(a: Array, b: Array) -> Array:

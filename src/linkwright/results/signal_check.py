@@ -13,6 +13,7 @@ from linkwright.expressions.language import Call, Name, parse
 from linkwright.expressions.units import Dimension
 from linkwright.model.signals import BREAKAWAY, POWER, TOTALS, Signal, Signals
 from linkwright.results.independent_check import Reports
+from linkwright.results.margins import margins
 from linkwright.results.quadrature import panel_points
 from linkwright.results.reported_rates import rates
 from linkwright.results.restated_signals import restated
@@ -29,20 +30,19 @@ INSIDE = 0.01
 RESOLVED = 1e-11
 """Two quadratures of a rate agree so closely, relative to its scale, where they are trusted."""
 ROUND_OFF = 64 * np.finfo(float).eps
-"""What the change of a signal loses, relative to its size; more where the pose is nearly singular."""
+"""What the change of a signal loses, relative to its size or the mechanism's; more near a singular pose."""
+LEAST_MARGIN = 1e-3
+"""The smallest margin to singularity that excuses lost digits."""
 FAINT = 1e-3
 """The least scale of a signal, over that of the mechanism's length, speed and forces."""
 GOLDEN = (np.sqrt(5.0) - 1) / 2
 
 
 class SignalCheck:
-    """The reported signals of a run at its samples and on some panels between them, held against their formulas.
+    """The reported signals of a run at its samples and on some panels between them, held against their formulas."""
 
-    Near a singular pose values lose digits: ``margin`` is the smallest normalised determinant of the run.
-    """
-
-    def __init__(self, run: Run, reports: Reports, margin: float = 1.0) -> None:
-        self.run, self.reports, self.margin = run, reports, margin
+    def __init__(self, run: Run, reports: Reports) -> None:
+        self.run, self.reports = run, reports
         signals = run.compiled.quantities.signals
         self.signals: dict[str, Signal] = {**signals.by_text, **_totals(signals)}
         self.names, self.named_only = [*signals.by_text], [*_totals(signals)]
@@ -163,24 +163,33 @@ class SignalCheck:
         count, panels = self.reports.count, self.lows.size
         if not np.isfinite(self.sampled(rate)[np.isfinite(self.sampled(value))]).all():
             return np.nan
-        start, end = self.values[value][count : count + panels], self.values[value][count + panels : count + 2 * panels]
+        start, end = self.values[value][count : count + 2 * panels].reshape(2, panels)
         nodes = self._at_nodes(rate)
         once, *halves = (
             (row * panel_points(*ends)[1].reshape(panels, -1)).sum(axis=1)
             for row, ends in zip(nodes, self._quadratures, strict=True)
         )
         twice, width = sum(halves), self.highs - self.lows
-        change, size = end - start, np.maximum(np.abs(start), np.abs(end))
+        change = end - start
         if (period := self._period(value)) is not None:
             change = change - period * np.round((change - twice) / period)
         scale = self._scales_on_panels[self.signals[rate].dimension.physical]
         trusted = np.abs(twice - once) <= RESOLVED * scale * width
-        off = np.maximum(np.abs(change - twice) - ROUND_OFF / self.margin * size, 0.0) / width
+        size = np.maximum(np.maximum(np.abs(start), np.abs(end)), self.faint_scales[value] / FAINT)
+        off = np.maximum(np.abs(change - twice) - ROUND_OFF * size / self._margins**2, 0.0) / width
         return _share((off / scale)[trusted], 1.0)
 
     def _at_nodes(self, name: str) -> Array:
         """A signal at the points of both quadratures: (panels and their halves, panels, points)."""
         return np.asarray(self.values[name][self.reports.count + 2 * self.lows.size :].reshape(3, self.lows.size, -1))
+
+    @cached_property
+    def _margins(self) -> Array:
+        """The smallest margin to singularity on each panel: a velocity loses digits by it, an acceleration by its
+        square."""
+        t = np.array([self.lows, (self.lows + self.highs) / 2, self.highs])
+        least = margins(self.run, t.ravel()).min(axis=0, initial=1.0).reshape(t.shape).min(axis=0)
+        return np.asarray(np.maximum(least, LEAST_MARGIN))
 
     @cached_property
     def _scales_on_panels(self) -> dict[Dimension, Array]:
@@ -206,12 +215,13 @@ class SignalCheck:
 
 def panels(run: Run) -> tuple[Array, Array]:
     """The ends of some stretches of a run (s), all over it, on which forces and laws are smooth."""
-    edges = np.union1d(np.linspace(run.start, run.stop, run.grid // STEPS + 2), run.breaks)
+    bands = [passage.band for passage in run.compiled.passages.every]
+    steps = np.linspace(run.start, run.stop, run.grid // STEPS + 2)
+    edges = np.unique(np.clip(np.concatenate([steps, run.breaks, *bands]), run.start, run.stop))
     lows, highs = edges[:-1], edges[1:]
     wide = highs - lows > 1e-6 * (run.stop - run.start)
-    passages = run.compiled.passages
-    wide &= passages.outside(lows) & passages.outside(highs)
-    places = np.flatnonzero(wide)
+    # About a change point values are interpolated, to fewer digits than a rate can be held to.
+    places = np.flatnonzero(wide & run.compiled.passages.outside((lows + highs) / 2))
     chosen = np.unique(places[(np.mod(GOLDEN * np.arange(1, PANELS + 1), 1.0) * places.size).astype(int)])
     aside = (highs - lows)[chosen] * INSIDE  # where something jumps at an end, that has the value of the other side
     return lows[chosen] + aside, highs[chosen] - aside
@@ -228,9 +238,11 @@ def _totals(signals: Signals) -> dict[str, Signal]:
 
 
 def _share(off: Array, scale: float) -> float:
-    """The largest of what is off, over a scale."""
+    """The largest of what is off, over a scale; of what should be zero and isn't, infinite."""
     worst = float(np.max(np.abs(off), initial=0.0))
-    return worst / scale if worst else 0.0
+    if scale == 0.0:
+        return np.inf if worst else 0.0
+    return worst / scale
 
 
 def _large(misfit: float) -> float:

@@ -16,8 +16,8 @@ from linkwright.graph.rows import Apart, Determinant, GroupRow, Named, ReachRow,
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
 from linkwright.results import Run
-from linkwright.results.certificate import nearest
 from linkwright.results.claims import SINGULAR
+from linkwright.results.margins import nearest
 from linkwright.results.stationary import stationary
 from linkwright.structure import Group
 
