@@ -52,7 +52,7 @@ def test_limits_alone_are_written_with_a_report(write: Any, tmp_path: Path) -> N
     assert swing["unit"] == "deg"
     assert swing["span"] == pytest.approx(73.7818196)
     assert swing["strokes"]["rising"] + swing["strokes"]["falling"] == pytest.approx(360)
-    assert [c["kind"] for c in swing["dead_centres"]] == ["max", "min"]
+    assert [c["kind"] for c in swing["limit_positions"]] == ["max", "min"]
     assert found["signals"]["P.x"]["unit"] == "mm"
     assert found["transmission"]["coupler-rocker"]["at"] == pytest.approx(360.0)
     assert data["limits"]["motion"] is None
@@ -72,7 +72,7 @@ def test_the_report_of_limits_alone_runs_over_the_drives_value(write: Any) -> No
     (section,) = data["sections"]
     assert section.name == "limits"
     assert [table.name for table in section.blocks if isinstance(table, Table) and filled(table)] == [
-        "ranges", "signals", "dead_centres", "transmission", "four_links",
+        "ranges", "signals", "limit_positions", "transmission", "four_links",
     ]  # fmt: skip
 
 

@@ -180,7 +180,7 @@ def test_a_path_of_the_papers_five_bar_gives_its_law_again() -> None:
     assert law.efforts.share is None  # no masses, no loads
 
 
-def test_dead_positions_are_passed_where_the_path_touches_the_edge_of_a_sheet() -> None:
+def test_limit_positions_are_passed_where_the_path_touches_the_edge_of_a_sheet() -> None:
     """The paper's five-bar: as crank1 is shorter than link2, each turn of the motor lays them in line twice, where it
     moves P no more. The path of a law with four dead positions gives that law again; without leave it ends at one."""
     region = on(compile_mechanism(load(PAPER)), "P", shapely.Point(0, 0).buffer(0.1))
@@ -196,12 +196,12 @@ def test_dead_positions_are_passed_where_the_path_touches_the_edge_of_a_sheet() 
     law = way.law
     assert law is not None
     assert codes(way) == ["workspace.path-dead"]
-    assert law.dead == pytest.approx((t[passed] + t[passed + 1]) / 2, abs=t[1] / 2)
+    assert law.limit_positions == pytest.approx((t[passed] + t[passed + 1]) / 2, abs=t[1] / 2)
     assert (law.period, law.determinant) == (pytest.approx(2.0), 0.0)
     assert law.residual < 1e-6 * 0.03
     assert law.servo[0] == pytest.approx(given(law.t)[1], abs=1e-6)
     assert law.servo[1] == pytest.approx(np.pi + np.radians(40) * np.pi * np.sin(np.pi * law.t), abs=2e-4)
-    assert law.at(law.dead)[1] == pytest.approx(np.interp(law.dead, law.t, law.u), abs=1e-4)
+    assert law.at(law.limit_positions)[1] == pytest.approx(np.interp(law.limit_positions, law.t, law.u), abs=1e-4)
     assert codes(timed(region, path, "motor", 2.0, off=0.0)) == ["workspace.path-singular"]
     away = path_through_points((look.at - np.array([[0.0], [1e-5]])).T, "quintic")  # 0.01 mm
     assert free(region, away, "motor", np.pi).law is None

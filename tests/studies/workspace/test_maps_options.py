@@ -47,7 +47,7 @@ def test_the_arms_quality(whole: Job) -> None:
     assert maps["effort shoulder"]["greatest"]["value"] == pytest.approx(10 * (A + B) * 1e-3)  # N*m: torques go out so
     assert (entry["mode"], entry["steps"]) == ("", 60)
     dead, uncertain = entry["loci"]
-    assert (dead["kind"], dead["determinant"]) == ("dead", "d(E.x, E.y)/d(shoulder, elbow)")
+    assert (dead["kind"], dead["determinant"]) == ("limit-position", "d(E.x, E.y)/d(shoulder, elbow)")
     assert dead["curves"] == 2 and dead["length"] == pytest.approx(2 * np.pi * (A + B + A - B), rel=1e-3)
     assert (uncertain["kind"], uncertain["curves"]) == ("uncertain", 0)
 

@@ -123,6 +123,6 @@ def test_the_page(job: Job) -> None:
     document = job.examined.document
     assert document is not None
     text = page(report_data(document, job.outcomes))
-    assert "Guaranteed area by region" in text and "dead positions of the output" in text
+    assert "Guaranteed area by region" in text and "limit positions of the output" in text
     assert "the pictures show the better value" in text and "the pictures show the larger error" in text
     assert len(text) < 1_000_000

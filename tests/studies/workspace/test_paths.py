@@ -55,7 +55,7 @@ def test_the_papers_five_bar_to_the_end() -> None:
     assert [finding.code for finding in job.found] == ["workspace.path-dead"]
     (entry,) = job.summary["workspace"]["paths"]
     assert entry["followed"] and entry["kept"] and entry["best"] and not entry["stretches"]
-    assert (entry["reversals"], len(entry["dead_positions"]), entry["determinant"]) == ([], 4, 0.0)
+    assert (entry["reversals"], len(entry["limit_positions"]), entry["determinant"]) == ([], 4, 0.0)
     assert entry["determinant_of"] == "d(P.x, P.y)/d(motor, servo)"
     assert entry["period"] == pytest.approx(2.0) and entry["residual"] < 1e-3
     assert entry["drives"]["servo"]["value"] == pytest.approx({"from": 50, "to": 410, "unit": "deg"}, abs=2e-3)

@@ -127,8 +127,8 @@ def test_loci_are_named_by_the_determinant_that_vanishes() -> None:
     sheet = sheet_of()
     pieces = curves(sheet, mesh(sheet, TURNS, 24), 1e-3)
     kinds = {one.kind: one for one in quality(sheet, TURNS, steps=4, segments=pieces).loci}
-    assert set(kinds) == {"dead", "uncertain"}
-    q = kinds["dead"].drives[:, 0]
+    assert set(kinds) == {"limit-position", "uncertain"}
+    q = kinds["limit-position"].drives[:, 0]
     q = q[:, sheet.place(q)[1] > 1e-3]
     assert q.shape[1] > 20
     assert np.abs(np.linalg.det(np.moveaxis(legs(q), 2, 0))).max() < 1e-6  # a crank and its coupler in line

@@ -106,7 +106,7 @@ def mastered(
         raise Refused(Finding("functions.master-still", PATH, data))
     turns = crossings(lambda value: motion.rates([master], value)[0], *motion.hull, KNOTS)
     branch_range = _branch_range(motion, turns)
-    here = data | _dead_centre(motion, turns, branch_range)
+    here = data | _limit_position(motion, turns, branch_range)
     if turns.size and not branch_range[0] < reach.zero < branch_range[1]:
         raise Refused(Finding("functions.master-zero", PATH, here))
     if stops is not None:
@@ -120,8 +120,8 @@ def mastered(
     ]
 
 
-def _dead_centre(motion: Mastered, turns: Array, branch_range: tuple[float, float]) -> dict[str, str]:
-    """The dead centre nearest to the zero pose, and the range around that without one, as data of a finding."""
+def _limit_position(motion: Mastered, turns: Array, branch_range: tuple[float, float]) -> dict[str, str]:
+    """The limit position nearest to the zero pose, and the range around that without one, as data of a finding."""
     unit, size = motion.compiled.quantities.drive_unit(motion.drive)
     at = [f"{turns[np.abs(turns - motion.reach.zero).argmin()] / size:.8g}"] if turns.size else ["-"]
     return {"drive": motion.drive, "unit": unit, "at": at[0], **offered(branch_range, size)}
@@ -142,7 +142,8 @@ def _between(motion: Mastered, stops: tuple[float, float]) -> Mastered:
 
 
 def _branch_range(motion: Mastered, turns: Array) -> tuple[float, float]:
-    """The values of the drive around the zero pose between which the master goes one way, short of its dead centres;
+    """The values of the drive around the zero pose between which the master goes one way, short of its limit
+    positions;
     no room where the zero pose is at one."""
     (low, high), zero = motion.hull, motion.reach.zero
     below, above = turns[turns <= zero], turns[turns > zero]

@@ -1,1 +1,1 @@
-"""The limits study: ranges of drives, dead centres, strokes, transmission angles."""
+"""The limits study: ranges of drives, limit positions, strokes, transmission angles."""

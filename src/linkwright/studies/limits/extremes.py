@@ -1,4 +1,5 @@
-"""What happens to signals and dyads over a run: extremes, dead centres, strokes, change points, transmission angles."""
+"""What happens to signals and dyads over a run: extremes, limit positions, strokes, change points, transmission
+angles."""
 
 from __future__ import annotations
 
@@ -63,7 +64,7 @@ class SignalExtreme:
 
 @dataclass(frozen=True)
 class Reversal:
-    """A dead centre: where a signal's rate passes through zero. ``top`` where it was rising before."""
+    """A limit position: where a signal's rate passes through zero. ``top`` where it was rising before."""
 
     value: float
     time: float
@@ -85,7 +86,7 @@ class Strokes:
 
 @dataclass(frozen=True)
 class SignalCourse:
-    """One signal over a run: its extremes, its dead centres, whole turns it makes, the strokes between two of them."""
+    """One signal over a run: its extremes, its limit positions, whole turns, the strokes between two of them."""
 
     signal: str
     dimension: Dimension
@@ -268,7 +269,7 @@ class _Course:
             nowhere = SignalExtreme(float("nan"), run.start)
             return SignalCourse(name, dimension, nowhere, nowhere, ())
         low, high = (int(pick(values)) for pick in (np.argmin, np.argmax))
-        reversals = self.reversals(inner) if dimension.time == 0 else ()  # a rate has no dead centres
+        reversals = self.reversals(inner) if dimension.time == 0 else ()  # a rate has no limit positions
         if dimension.time == 0 and not isinstance(run, Sweep):
             reversals = self.with_ends(reversals)
         turns = round(float(ends[1] - ends[0]) / (2 * np.pi)) if self.full and np.isfinite(ends).all() else 0

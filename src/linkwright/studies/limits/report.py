@@ -98,7 +98,7 @@ class _Scale:
             "max_at": self.in_unit(course.high.time),
             "span": value_in_unit(course.stroke),
             "turns": course.turns,
-            "dead_centres": [
+            "limit_positions": [
                 {"kind": "max" if r.top else "min", "value": value_in_unit(r.value), "at": self.in_unit(r.time)}
                 for r in course.reversals
             ],
@@ -131,7 +131,7 @@ def tables(entry: dict[str, Any]) -> list[Table]:
     return [
         table("limits", "ranges", ("drive", "from", "to", "unit", "ends"), _ranges(entry)),
         table("limits", "signals", _SIGNALS, _signals(stretches)),
-        table("limits", "dead_centres", ("by", "signal", "end", "value", "unit", "at"), _dead_centres(stretches)),
+        table("limits", "limit_positions", ("by", "signal", "end", "value", "unit", "at"), _limit_positions(stretches)),
         table("limits", "transmission", ("by", "group", "signature", "least", "unit", "at"), _transmission(stretches)),
         table("limits", "change_points", ("by", "group", "at"), _change_points(stretches)),
         table("limits", "four_links", ("links", "type", "turning", "margin", "unit"), _loops(entry)),
@@ -187,10 +187,10 @@ def _signals(stretches: Stretches) -> Iterator[list[Cell]]:
             yield [by, name, *low, *high, span, Unit(s["unit"]), _number(s["time_ratio"]) if "time_ratio" in s else ""]
 
 
-def _dead_centres(stretches: Stretches) -> Iterator[list[Cell]]:
+def _limit_positions(stretches: Stretches) -> Iterator[list[Cell]]:
     for by, stretch in stretches:
         for name, s in stretch["signals"].items():
-            for r in s["dead_centres"]:
+            for r in s["limit_positions"]:
                 where = _place(r["at"], stretch)
                 yield [by, name, Said(f"measure.{r['kind']}"), _number(r["value"]), Unit(s["unit"]), where]
 

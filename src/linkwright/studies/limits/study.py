@@ -67,7 +67,7 @@ class LimitsOptions(Frozen):
 
 @register
 class Limits(Study):
-    """Ranges, dead centres, strokes, transmission angles, types of four-bars."""
+    """Ranges, limit positions, strokes, transmission angles, types of four-bars."""
 
     name = "limits"
     example = "{signals: [rocker.angle]}"

@@ -69,9 +69,9 @@ class ServoLaw:
 
     ``residual`` (m) is how far the point lies off the path at the worst; ``determinant`` the least size of
     d(x, y)/d(drives) on the way (m² per product of the drives' units), ``closure`` that of the groups' determinants;
-    ``reverses`` the times at which the servo's speed changes its sign, ``dead`` those at which a dead position is
-    passed. ``backward``: the path is run from u = 1 to 0. ``period``: the drives come back after it. ``efforts``: what
-    motor and servo give, where asked for.
+    ``reverses`` the times at which the servo's speed changes its sign, ``limit_positions`` those at which a limit
+    position is passed. ``backward``: the path is run from u = 1 to 0. ``period``: the drives come back after it.
+    ``efforts``: what motor and servo give, where asked for.
     """
 
     names: tuple[str, str]
@@ -84,7 +84,7 @@ class ServoLaw:
     determinant: float
     closure: float
     reverses: Array
-    dead: Array
+    limit_positions: Array
     backward: bool
     period: float | None
     at: Callable[[Array], tuple[Array, Array]]
@@ -117,7 +117,7 @@ def free(
 
     The path is run from u = 0, or backward where only that suits the motor's sense. Of several solutions the one is
     taken that follows furthest, then the one whose determinant stays largest. ``off`` (m): how far the point may be
-    from the path where it passes a dead position.
+    from the path where it passes a limit position.
     """
     m = region.sheet.drives.index(motor)
     u = np.linspace(0.0, 1.0, LOOKS + 1)
@@ -205,7 +205,8 @@ def _timed(track: SolutionTrack, m: int, value: Array, speed: float) -> tuple[Ar
     for u."""
     made, u = np.empty((3, 2, value.size)), np.empty(value.size)
     solved = np.ones(value.size, dtype=bool)
-    # On bridges (across dead points) the jacobian is singular: invert the motor's value along the interpolated track.
+    # On bridges (across limit positions) the jacobian is singular: the motor's value is inverted along the
+    # interpolated track.
     for start, stop in track.bridges:
         low, high = np.sort(track.near(np.array([start, stop]))[m])
         on = (value > low) & (value < high)
@@ -286,10 +287,11 @@ def _way(
     look = track.mover.look(motion[0], motion[1])
     off = np.hypot(*(look.at - track.wanted.of(u)[0]))
     moves = np.abs(track.nodes[1]).max(axis=1)
-    # Reversals of the servo, unless it stands still throughout; dead points from the track. Both as times.
+    # Reversals of the servo, unless it stands still throughout; limit positions from the track. Both as times.
     still = moves[order[1]] <= STILL * moves.max()
     turned = np.empty(0) if still else crossings(lambda s: track.at(s)[1, order[1]], 0.0, 1.0, track.u.size)
-    times, dead = (np.array([_time_at(at, one, time) for one in some]) for some in (turned, track.dead))
+    passages = (turned, track.limit_positions)
+    times, limit_positions = (np.array([_time_at(at, one, time) for one in some]) for some in passages)
     law = ServoLaw(
         names,
         t,
@@ -301,7 +303,7 @@ def _way(
         min(track.least, float(np.abs(look.determinant).min())),
         float(np.abs(look.closure).min()),
         times,
-        dead,
+        limit_positions,
         backward,
         time if _comes_back(region, wanted, motion) else None,
         ordered,
@@ -312,8 +314,8 @@ def _way(
     if wanted.corners:
         data: dict[str, Any] = {"count": len(wanted.corners), "u": wanted.corners[0]}
         findings.append(Finding("workspace.path-corner", wanted.path, data, severity="warning"))
-    if dead.size:
-        passed = {"count": dead.size, "time": float(dead[0]), "point": sheet.point}
+    if limit_positions.size:
+        passed = {"count": limit_positions.size, "time": float(limit_positions[0]), "point": sheet.point}
         findings.append(Finding("workspace.path-dead", wanted.path, passed, severity="warning"))
     if never_reverse and times.size:
         reversal = {"servo": names[1], "count": times.size, "time": float(times[0])}

@@ -98,7 +98,7 @@ def quality_tables(outcome: WorkspaceOutcome) -> list[Table]:
 
     def locus(one: dict[str, Any]) -> list[Cell]:
         kind = Said(f"workspace.locus.{one['kind']}")
-        determinant = by_drives(outcome) if one["kind"] == "dead" else closures(outcome)
+        determinant = by_drives(outcome) if one["kind"] == "limit-position" else closures(outcome)
         return [kind, determinant or UNKNOWN, NumberCell(one["curves"]), NumberCell(one["length"], 6), unit]
 
     loci = [[*region_cells(outcome, entry), *locus(one)] for entry in entries for one in entry["loci"]]

@@ -18,7 +18,7 @@ from linkwright.data_classes import dataclass
 from linkwright.graph.rows import Determinant
 from linkwright.kernels import KERNELS
 from linkwright.results.stationary import bracketed
-from linkwright.studies.workspace.dead_point_crossing import box_left, bridge, curve
+from linkwright.studies.workspace.limit_position_crossing import box_left, bridge, curve
 from linkwright.studies.workspace.mesh import DriveBox
 from linkwright.studies.workspace.regions import Region
 from linkwright.studies.workspace.sheet import ModeSheet
@@ -120,7 +120,7 @@ def divided(matrix: Array, right: Array) -> Array:
 class SolutionTrack:
     """One solution along a path from u = 0 to ``u[-1]``: ``nodes`` (3, 2, n) are the drives with two derivatives by u.
     ``end`` says why it is no longer: "" (it is whole), "singular", "modes", or "limit" with the ``drive``. ``bridges``
-    are the stretches of u on which it passes a dead position, near to the path only."""
+    are the stretches of u on which it passes a limit position, near to the path only."""
 
     mover: SheetWithRates
     wanted: TargetPath
@@ -159,14 +159,14 @@ class SolutionTrack:
 
     @property
     def least(self) -> float:
-        """The least size of the jacobian's determinant on the way: none where a dead position is passed."""
+        """The least size of the jacobian's determinant on the way: none where a limit position is passed."""
         if self.bridges:
             return 0.0
         return float(np.abs(self.mover.look(self.nodes[0], self.nodes[1]).determinant).min())
 
     @cached_property
-    def dead(self) -> Array:
-        """The u of dead positions that are passed."""
+    def limit_positions(self) -> Array:
+        """The u of limit positions that are passed."""
 
         def sign(u: Array, _: Any) -> Array:
             return self.mover.look(self.near(u), np.zeros((2, u.size))).determinant
@@ -176,7 +176,7 @@ class SolutionTrack:
 
 
 def tracks(region: Region, wanted: TargetPath, off: float | None = None) -> list[SolutionTrack]:
-    """Every solution of a sheet at the path's start, followed as far as it goes; the longest first. Where a dead
+    """Every solution of a sheet at the path's start, followed as far as it goes; the longest first. Where a limit
     position is passed, the point may be ``off`` the path (m), :data:`OFF` of the largest link if not said."""
     mover = SheetWithRates(region.sheet)
     off = OFF * region.sheet.compiled.graph.size if off is None else off

@@ -49,7 +49,7 @@ class Attempt:
 
     @property
     def rank(self) -> tuple[float, ...]:
-        """How good it is: first whether it is kept, then how much of it can be followed, then how far from any dead
+        """How good it is: first whether it is kept, then how much of it can be followed, then how far from any limit
         and from any uncertain position."""
         blocked = np.zeros(1001, dtype=bool)
         for one in self.way.stretches:
@@ -106,7 +106,7 @@ class PathsOutcome:
         """What is told of a law."""
         time_unit, second = self.compiled.quantities.unit_of(u.TIME)
         size = self.compiled.quantities.unit_of(u.LENGTH)[1]
-        times = {"reversals": law.reverses, "dead_positions": law.dead}
+        times = {"reversals": law.reverses, "limit_positions": law.limit_positions}
         efforts = law.efforts
         return {
             "motor": law.names[0],

@@ -36,7 +36,7 @@ def path_sentences(outcome: WorkspaceOutcome) -> list[Text]:
 def path_tables(outcome: WorkspaceOutcome) -> list[Table]:
     """Each path in each region; the drives along the best way of each."""
     part: PathsOutcome = outcome.parts["paths"]
-    own = ("followed", "duration", "reversals", "dead", "residual", "determinant", "share")
+    own = ("followed", "duration", "reversals", "limit_positions", "residual", "determinant", "share")
     rows, drives = list[list[Cell]](), list[list[Cell]]()
     for entry in part.as_dict():
         rows.append([entry["path"], *region_cells(outcome, entry), *_path_cells(entry)])
@@ -59,7 +59,7 @@ def _path_cells(entry: dict[str, Any]) -> list[Cell]:
         Said(f"paths.{how}"),
         NumberCell(entry["duration"], 6, entry["time_unit"]),
         NumberCell(len(entry["reversals"])),
-        NumberCell(len(entry["dead_positions"])),
+        NumberCell(len(entry["limit_positions"])),
         NumberCell(entry["residual"], 2, entry["unit"]),
         NumberCell(entry["determinant"], 4),
         percent(entry["servo_share"]),

@@ -3,7 +3,7 @@
 All poses in which the working point is at a place are known (:mod:`linkwright.graph.inverse`): one for each choice of
 the branches of dyads and of the angles of triads' platforms (:mod:`linkwright.studies.workspace.platforms`). Each is
 one of a mode's, within the drives' ranges, if every function of it is positive: what stands under the roots (a zero is
-a dead position of the output, where two poses meet), the closures' determinants with the mode's sign (a zero is an
+a limit position of the output, where two poses meet), the closures' determinants with the mode's sign (a zero is an
 uncertain position), and the distances from the ends of the drives' ranges. A place is reached if some pose has all of
 them positive; the number of such poses tells how often the mode covers it.
 """

@@ -43,7 +43,7 @@ class QualityTask:
 
 @dataclass(frozen=True)
 class Locus:
-    """Where a sheet is singular: ``kind`` is ``dead`` (dead position of the output: the determinant of
+    """Where a sheet is singular: ``kind`` is ``limit-position`` (limit position of the output: the determinant of
     d(x, y)/d(drives) vanishes, in some direction the point can't move) or ``uncertain`` (uncertain position: the
     determinant of a group's closure vanishes, the drives don't hold the mechanism). Pieces from end to end: ``drives``
     (2, 2, n) and ``at`` (2, 2, n): coordinate, end, piece."""
@@ -85,7 +85,7 @@ def quality(
     return Quality(sheet, maps, loci(sheet, segments))
 
 
-LOCI = {"singular": "dead", "modes": "uncertain", "pins": "uncertain"}
+LOCI = {"singular": "limit-position", "modes": "uncertain", "pins": "uncertain"}
 """The kinds of curves that are singular, by the determinant that vanishes."""
 
 

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 USUAL = ("condition", "transmission")
 """The maps of which there are pictures unless the file says."""
-KINDS = ("dead", "uncertain")
+KINDS = ("limit-position", "uncertain")
 JOINED = 2e-5
 """Ends of pieces that are nearer than this share of the drives' ranges are on one curve."""
 
@@ -65,7 +65,7 @@ class QualityPart:
         """An entry for each region."""
         size = self.outcome.compiled.quantities.unit_of(u.LENGTH)[1]
         with in_language("en"):  # a value of a file, which stays
-            names = {"dead": by_drives(self.outcome), "uncertain": str(closures(self.outcome))}
+            names = {"limit-position": by_drives(self.outcome), "uncertain": str(closures(self.outcome))}
         return [
             {
                 **one.head(self.outcome),
@@ -86,7 +86,7 @@ class QualityPart:
 
 
 def by_drives(outcome: WorkspaceOutcome) -> str:
-    """The determinant that vanishes in dead positions of the output, as text."""
+    """The determinant that vanishes in limit positions of the output, as text."""
     return f"d({outcome.point}.x, {outcome.point}.y)/d({', '.join(outcome.compiled.graph.drives)})"
 
 

@@ -1,6 +1,6 @@
 """Maps over the plane of the working point: on a grid of places, at the drive values that come there.
 
-A sheet may cover a place several times, folded along dead positions of the output: all the poses are looked at, and
+A sheet may cover a place several times, folded along limit positions of the output: all the poses are looked at, and
 one of them counts.
 """
 

@@ -1,7 +1,7 @@
 """A sheet: one assembly mode of a mechanism over the plane of its two drives' values.
 
 All determinants are named: ``jacobian`` is d(x, y)/d(drives) of the working point (zero: it can't move in some
-direction, a dead position of the output); the closures' determinants are those of the groups (zero: the drives don't
+direction, a limit position of the output); the closures' determinants are those of the groups (zero: the drives don't
 hold the mechanism, an uncertain position; the two modes of a group meet there). Where a closure's vanishes the
 jacobian's grows without bound; their product ``numerator`` is finite all over the sheet, and vanishes with the
 jacobian's (Gosselin and Angeles, IEEE Trans. Robotics and Automation 6 (1990) 281-290: both kinds of singularity).

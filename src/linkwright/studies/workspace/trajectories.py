@@ -1,6 +1,6 @@
 """Trajectories of a sheet's working point while one drive is held at a constant value and the other one goes through
 its range: by such pictures Peng and Zi (Journal of Mechanical Transmission 34(4), 2010) show the workspace of a
-hybrid-driven five-bar. Neighbouring trajectories touch along dead positions of the output: folds of a region show as
+hybrid-driven five-bar. Neighbouring trajectories touch along limit positions of the output: folds of a region show as
 envelopes.
 """
 

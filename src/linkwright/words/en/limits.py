@@ -3,7 +3,7 @@
 TEXTS: dict[str, str] = {
     "limits.table.ranges": "Ranges of motion, each drive alone",
     "limits.table.signals": "Minima, maxima and strokes",
-    "limits.table.dead_centres": "Dead centres",
+    "limits.table.limit_positions": "Limit positions (reversals of outputs)",
     "limits.table.transmission": "Minimum transmission angles",
     "limits.table.change_points": "Change points",
     "limits.table.four_links": "Four-bars and slider-cranks",

@@ -222,7 +222,7 @@ TEXTS: dict[str, str] = {
     "cli.new_out": "The file to write (default: NAME.yaml, here).",
     "cli.force": "Overwrite an existing file.",
     "cli.study.modes": "Find all assembly modes and the circuits that connect them. Lists for each mode the lines of FILE that select it.",
-    "cli.study.limits": "Find limits of motion, strokes and transmission angles. Each drive of FILE is moved alone; dead centres are located.",
+    "cli.study.limits": "Find limits of motion, strokes and transmission angles. Each drive of FILE is moved alone; limit positions are located.",
     "cli.study.sweep": "Run only the sweep study. Writes sweep.csv, report.html and more; resumes an interrupted study.",
     "cli.study.accuracy": "Analyse the effect of tolerances and clearances. Lists which dimensions contribute most to each output of FILE; writes accuracy.csv, report.html and more; resumes an interrupted study.",
     "cli.study.workspace": "Compute the workspace of a point moved by two drives. Covers each assembly mode; writes workspace.geojson, workspace.svg, report.html and more; resumes an interrupted study.",

@@ -45,7 +45,7 @@ TEXTS: dict[str, str] = {
     "term.for-values": " for {values}",
     "workspace.kind.region": "reached in mode {mode}",
     "workspace.kind.curve": "path in mode {mode}",
-    "workspace.kind.singular": "type 1 singularities (dead positions of the output): the determinant of d({point}.x, {point}.y)/d({drives}) is zero",
+    "workspace.kind.singular": "type 1 singularities (limit positions of the output): the determinant of d({point}.x, {point}.y)/d({drives}) is zero",
     "workspace.kind.modes": "type 2 singularities (two assembly modes meet): the determinant of a closure is zero ({groups})",
     "workspace.kind.pins": "outer pins of a group coincide: the determinant of its closure is zero as well",
     "workspace.kind.limit": "limit of a drive's range",

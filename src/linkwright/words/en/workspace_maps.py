@@ -1,7 +1,7 @@
 """The words of maps over workspaces: quality, errors, what is sure."""
 
 TEXTS: dict[str, str] = {
-    "workspace.quality": "Quality is computed from J = {determinant} of the working point {point}. At type 1 singularities (dead positions of the output) the determinant of J is zero: {point} can't move in some direction.",
+    "workspace.quality": "Quality is computed from J = {determinant} of the working point {point}. At type 1 singularities (limit positions of the output) the determinant of J is zero: {point} can't move in some direction.",
     "workspace.quality.closures": "At type 2 singularities (uncertain positions) the determinant of a closure is zero: the mechanism can move although the drives are locked ({groups}).",
     "workspace.closure": "closure of {group}",
     "workspace.errors": "Error of {point} to first order, when each of {names} deviates within its limits.",
@@ -47,7 +47,7 @@ TEXTS: dict[str, str] = {
     "workspace.column.share-region": "Share",
     "workspace.column.inward": "Boundary moves inward by",
     "workspace.endless": "unbounded",
-    "workspace.locus.dead": "type 1 (dead positions of the output)",
+    "workspace.locus.limit-position": "type 1 (limit positions of the output)",
     "workspace.locus.uncertain": "type 2 (uncertain positions)",
     "workspace.kind.guaranteed": "boundary of the guaranteed part: reachable for any deviation within tolerance",
     "workspace.kind.precise": "boundary of the precise part: the error stays below the limit as well",

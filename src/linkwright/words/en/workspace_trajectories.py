@@ -1,7 +1,7 @@
 """The words of trajectories at constant values of a drive."""
 
 TEXTS: dict[str, str] = {
-    "trajectories.sentence": "Trajectories of {point} at {count} constant values of {held}, while {moving} moves through its range. They are tangent to the dead positions of the output, where the region folds.",
+    "trajectories.sentence": "Trajectories of {point} at {count} constant values of {held}, while {moving} moves through its range. They are tangent to the limit positions of the output, where the region folds.",
     "trajectories.picture": "Trajectories of {point} at constant {held}, in mode {mode}{values}",
     "trajectories.scale": "{held}, locked at constant values while {moving} moves",
     "trajectories.table.trajectories": "Trajectories by region",

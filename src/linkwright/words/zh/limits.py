@@ -3,7 +3,7 @@
 TEXTS: dict[str, str] = {
     "limits.table.ranges": "各驱动单独运动时的范围",
     "limits.table.signals": "最小值、最大值与行程",
-    "limits.table.dead_centres": "死点",
+    "limits.table.limit_positions": "极限位置（输出换向处）",
     "limits.table.transmission": "最小传动角",
     "limits.table.change_points": "变点",
     "limits.table.four_links": "四杆机构与曲柄滑块机构",

@@ -221,7 +221,7 @@ TEXTS: dict[str, str] = {
     "cli.new_out": "要写出的文件（默认：当前文件夹中的 NAME.yaml）。",
     "cli.force": "覆盖已有文件。",
     "cli.study.modes": "求全部装配模式及连通它们的回路。对每个模式列出在 FILE 中选用它的各行。",
-    "cli.study.limits": "求运动极限、行程和传动角。FILE 的每个驱动单独运动，并确定死点位置。",
+    "cli.study.limits": "求运动极限、行程和传动角。FILE 的每个驱动单独运动，并确定极限位置。",
     "cli.study.sweep": "仅运行参数扫描。写出 sweep.csv、report.html 等文件；可继续已中断的分析。",
     "cli.study.accuracy": "分析公差与间隙的影响。列出对 FILE 各项输出贡献最大的尺寸；写出 accuracy.csv、report.html 等文件；可继续已中断的分析。",
     "cli.study.workspace": "计算由两个驱动带动的点的工作空间。覆盖每个装配模式；写出 workspace.geojson、workspace.svg、report.html 等文件；可继续已中断的分析。",

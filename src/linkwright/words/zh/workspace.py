@@ -45,7 +45,7 @@ TEXTS: dict[str, str] = {
     "term.for-values": "（{values}）",
     "workspace.kind.region": "可达区域，模式：{mode}",
     "workspace.kind.curve": "轨迹，模式：{mode}",
-    "workspace.kind.singular": "第一类奇异位形（输出死点）：d({point}.x, {point}.y)/d({drives}) 的行列式为零",
+    "workspace.kind.singular": "第一类奇异位形（输出的极限位置）：d({point}.x, {point}.y)/d({drives}) 的行列式为零",
     "workspace.kind.modes": "第二类奇异位形（两个装配模式重合）：某个封闭方程的行列式为零（{groups}）",
     "workspace.kind.pins": "杆组的外接转动副重合：其封闭方程的行列式也为零",
     "workspace.kind.limit": "驱动范围的极限",

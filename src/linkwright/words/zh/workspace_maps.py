@@ -1,7 +1,7 @@
 """The words of maps over workspaces: quality, errors, what is sure."""
 
 TEXTS: dict[str, str] = {
-    "workspace.quality": "性能指标由工作点 {point} 的 J = {determinant} 计算。在第一类奇异位形（输出死点）处，J 的行列式为零：{point} 在某个方向上不能运动。",
+    "workspace.quality": "性能指标由工作点 {point} 的 J = {determinant} 计算。在第一类奇异位形（输出的极限位置）处，J 的行列式为零：{point} 在某个方向上不能运动。",
     "workspace.quality.closures": "在第二类奇异位形（不确定位形）处，某个封闭方程的行列式为零：驱动全部锁定时机构仍能运动（{groups}）。",
     "workspace.closure": "{group} 的封闭方程",
     "workspace.errors": "{point} 的误差（一阶近似）：{names} 各自在极限偏差内变动。",
@@ -47,7 +47,7 @@ TEXTS: dict[str, str] = {
     "workspace.column.share-region": "占比",
     "workspace.column.inward": "边界内移量",
     "workspace.endless": "无界",
-    "workspace.locus.dead": "第一类（输出死点）",
+    "workspace.locus.limit-position": "第一类（输出的极限位置）",
     "workspace.locus.uncertain": "第二类（不确定位形）",
     "workspace.kind.guaranteed": "保证可达部分的边界：公差范围内的任何偏差下均可到达",
     "workspace.kind.precise": "精确可达部分的边界：误差也不超过限值",

@@ -1,7 +1,7 @@
 """The words of trajectories at constant values of a drive."""
 
 TEXTS: dict[str, str] = {
-    "trajectories.sentence": "{held} 取 {count} 个定值、{moving} 走完其范围时 {point} 的轨迹。轨迹与输出死点曲线相切，区域在该处折叠。",
+    "trajectories.sentence": "{held} 取 {count} 个定值、{moving} 走完其范围时 {point} 的轨迹。轨迹与输出极限位置的曲线相切，区域在该处折叠。",
     "trajectories.picture": "{held} 为定值时 {point} 的轨迹，模式：{mode}{values}",
     "trajectories.scale": "{held} 的定值（{moving} 运动时锁定）",
     "trajectories.table.trajectories": "各区域的轨迹",

@@ -23,25 +23,25 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "Name a joint that moves. These move in one direction over the whole range: {others}.",
     ),
     "functions.master-zero": (
-        "The joint {joint} can't be the master: it has a dead centre at {drive} = {at} {unit}, where it reverses, "
+        "The joint {joint} can't be the master: it has a limit position at {drive} = {at} {unit}, where it reverses, "
         "and the zero pose is there.",
         "Set zero to a value of {drive} well away from it, or name another master. These move in one direction over "
         "the whole range: {others}.",
     ),
     "functions.master-turns": (
-        "The joint {joint} can't be the master over this range: it has a dead centre at {drive} = {at} {unit}, where "
+        "The joint {joint} can't be the master over this range: it has a limit position at {drive} = {at} {unit}, where "
         "it reverses, so that each of its values belongs to two poses.",
         "Set range within [{low} {unit}, {high} {unit}], or name another master. These move in one direction over "
         "the whole range: {others}.",
     ),
     "functions.master-cut": (
-        "The master {joint} has a dead centre at {drive} = {at} {unit}, where it reverses. The functions are valid "
+        "The master {joint} has a limit position at {drive} = {at} {unit}, where it reverses. The functions are valid "
         "only from {low} to {high} {unit} of {drive}.",
         "Set range within these values to confirm that this is enough, or name another master. These move in one "
         "direction over the whole range of {drive}: {others}.",
     ),
     "functions.master-stops": (
-        "The master {joint} has a dead centre between the two stops.",
+        "The master {joint} has a limit position between the two stops.",
         "Set stops within [{low} {unit}, {high} {unit}], its range around the zero pose.",
     ),
     "functions.master-structure": (

@@ -130,7 +130,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "Fix the first one: the others usually repeat it in every turn.",
     ),
     "study.long-motion": (
-        "{drive} travels {travel} {unit} in the motion of the cycle, but dead centres, maxima and minima of a motion "
+        "{drive} travels {travel} {unit} in the motion of the cycle, but limit positions, maxima and minima of a motion "
         "are searched only up to a travel of {limit} {unit}. Those of each drive alone are complete.",
         "Give studies.cycle fewer turns or a shorter duration.",
     ),

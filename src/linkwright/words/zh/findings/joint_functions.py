@@ -22,19 +22,19 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "指定一个会运动的运动副。在整个范围内单向运动的有：{others}。",
     ),
     "functions.master-zero": (
-        "运动副 {joint} 不能作为主动运动副（master）：它在 {drive} = {at} {unit} 处有死点，运动方向在此反转，而零位就在该处。",
+        "运动副 {joint} 不能作为主动运动副（master）：它在 {drive} = {at} {unit} 处有极限位置，运动方向在此反转，而零位就在该处。",
         "将 zero 设为远离该处的 {drive} 值，或将 master 改为其他运动副。在整个范围内单向运动的有：{others}。",
     ),
     "functions.master-turns": (
-        "在该范围内，运动副 {joint} 不能作为主动运动副（master）：它在 {drive} = {at} {unit} 处有死点，运动方向在此反转，同一个值对应两个位姿。",
+        "在该范围内，运动副 {joint} 不能作为主动运动副（master）：它在 {drive} = {at} {unit} 处有极限位置，运动方向在此反转，同一个值对应两个位姿。",
         "将 range 设在 [{low} {unit}, {high} {unit}] 之内，或将 master 改为其他运动副。在整个范围内单向运动的有：{others}。",
     ),
     "functions.master-cut": (
-        "主运动副 {joint} 在 {drive} = {at} {unit} 处有死点，运动方向在此反转。各函数仅在 {drive} 为 {low} 至 {high} {unit} 时有效。",
+        "主动运动副 {joint} 在 {drive} = {at} {unit} 处有极限位置，运动方向在此反转。各函数仅在 {drive} 为 {low} 至 {high} {unit} 时有效。",
         "若该范围已够用，将 range 设在其中以确认；或将 master 改为其他运动副。在 {drive} 的整个范围内单向运动的有：{others}。",
     ),
     "functions.master-stops": (
-        "主运动副 {joint} 在两个限位之间有死点。",
+        "主动运动副 {joint} 在两个限位之间有极限位置，运动方向在此反转。",
         "将 stops 设在 [{low} {unit}, {high} {unit}] 之内，即零位附近的可用范围。",
     ),
     "functions.master-structure": (

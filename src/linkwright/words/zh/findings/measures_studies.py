@@ -123,7 +123,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "先修正第一个：其余各项通常是它在每一圈中的重复。",
     ),
     "study.long-motion": (
-        "在 cycle 分析的运动中，{drive} 的运动量达 {travel} {unit}，而运动的死点、最大值和最小值只在 {limit} {unit} 以内搜索。"
+        "在 cycle 分析的运动中，{drive} 的运动量达 {travel} {unit}，而运动的极限位置、最大值和最小值只在 {limit} {unit} 以内搜索。"
         "各驱动单独运动的结果是完整的。",
         "减小 studies.cycle 的圈数或时长。",
     ),

@@ -1,12 +1,12 @@
-"""Crossing dead points: where the wanted path touches the edge of the workspace, a track continues through it.
+"""Crossing limit positions: where the wanted path touches the edge of the workspace, a track continues through it.
 
-At a dead point the jacobian J = d(x, y)/d(drives) has rank 1. Near it the point moves like (a, b²) for drives (a, b).
-A path (u, c u²) that touches the edge therefore has two smooth solutions, b = +-sqrt(c) u, that cross there. Solving
-for the path directly is unreliable: an error e of the path gives b = +-sqrt(c u² + e), which turns back or has no
-solution, and its error is the square root of e.
+At a limit position the jacobian J = d(x, y)/d(drives) has rank 1. Near it the point moves like (a, b²) for drives
+(a, b). A path (u, c u²) that touches the edge therefore has two smooth solutions, b = +-sqrt(c) u, that cross there.
+Solving for the path directly is unreliable: an error e of the path gives b = +-sqrt(c u² + e), which turns back or
+has no solution, and its error is the square root of e.
 
-So the track doesn't solve for the path near a dead point. It crosses on a *bridge*: a quintic in u between a solved
-place before the dead point and one behind it, with equal first and second derivatives at both. A bridge is accepted
+So the track doesn't solve for the path near a limit position. It crosses on a *bridge*: a quintic in u between a solved
+place before the limit position and one behind it, with equal first and second derivatives at both. A bridge is accepted
 only if the point stays close to the path along all of it, the determinant of J changes its sign exactly once, and the
 determinants of the closures keep theirs.
 """
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 SHORT, LONG = 0.02, 0.3
-"""From one end of a bridge to the dead position: how far the drives may go, in rad where a range is a whole turn."""
+"""From one end of a bridge to the limit position: how far the drives may go, in rad where a range is a whole turn."""
 LOOKS = 65
 TURNED = 0.1
 """A bridge's far end is corrected by no more than this (as above)."""
@@ -63,13 +63,13 @@ def bridge(
         away = (np.abs(nodes[-1][0, :, 0] - nodes[k][0, :, 0]) / scale).max()
         if away > LONG or signs[k] * signs[-1] < 0:
             break
-        # The determinant must fall towards zero; linear extrapolation gives the distance to the dead point.
+        # The determinant must fall towards zero; linear extrapolation gives the distance to the limit position.
         fallen = 1.0 - signs[k] / signs[k - 1]
         if not 0 < fallen < 1:
             continue
         ahead = (u[k] - u[k - 1]) * (1.0 - fallen) / fallen
         far = float((np.abs(nodes[k][1, :, 0]) / scale).max()) * ahead
-        # Only bridges of a sensible length; the far end lies as far behind the dead point as this node before it.
+        # Only bridges of a sensible length; the far end lies as far behind the limit position as this node before it.
         if SHORT < far < LONG and u[k] + 2 * ahead <= 1.0:
             found = _bridged(mover, scale, wanted, k, u[k], 2 * ahead, nodes[k], signs[k], off)
             if found is not None and not box_left(box, found.node[0, :, 0]).any():
@@ -110,7 +110,7 @@ def _bridged(
         if not ok.all() or not (np.abs(q - foretold)[:, 0] / scale < TURNED).all():
             return None
         there, look = mover.along(q, path)
-    # Behind a dead point the determinant has the opposite sign.
+    # Behind a limit position the determinant has the opposite sign.
     after = float(look.determinant[0])
     if not np.isfinite(there).all() or not after * before < 0:
         return None
