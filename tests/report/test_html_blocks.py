@@ -111,7 +111,7 @@ def test_what_verifies_is_one_line_until_it_is_opened() -> None:
     """Where a check fails it is open; a section that is nothing else has this line as its heading."""
     good, bad = Check("closure", "1e-16", "", ok=True), Check("power", "1e-3", "", ok=False)
     text = section(Section("certificate", [Checks([good, good])]))
-    assert text.startswith('<section id="certificate"><details><summary><h2><span class="mark ok">')
+    assert text.startswith(f'<section id="certificate">{of_file()}<details><summary><h2><span class="mark ok">')
     assert "Verification: 2 of 2 checks passed</span></h2></summary><table" in text
     assert text.count("Verification") == 1
     assert "<details open><summary><h2>" in section(Section("certificate", [Checks([good, bad])]))

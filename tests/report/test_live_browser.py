@@ -249,12 +249,14 @@ def test_what_cannot_be_assembled(show: Callable[..., Opened]) -> None:
     """It says where and draws the gap, as long as what is missing; one click leads back."""
     view = show("four_bar")
     slide(view, "b", 62)
-    assert "can't be assembled at" not in state(view)
+    assert "can't be assembled" not in state(view)
     entry = view.page.get_by_label("b", exact=True).and_(view.page.locator("[type=text]"))
     entry.fill("30")
     entry.press("Enter")
     rested(view)
-    assert re.match(r"The links of coupler-rocker can't be assembled at [\d.]+ s", state(view))
+    assert re.match(
+        r"coupler and rocker can't be assembled between motor = [\d.]+ and [\d.]+ deg: A and O4 are", state(view)
+    )
     pose = view.page.evaluate("linkwright.live.motion.failure.pose")
     view.page.evaluate(f"linkwright.drawing.setIndex({pose})")
     assert view.page.locator(".lw-gaps i").count() == 1
@@ -306,9 +308,26 @@ def test_entries_take_numbers_alone(show: Callable[..., Opened]) -> None:
         entry.press("Enter")
         assert entry.input_value() == "120"
         assert not view.page.evaluate("linkwright.live.changed")
-    entry.fill("119,5")
-    entry.press("Enter")
-    assert view.page.evaluate("linkwright.live.value(1)") == pytest.approx(0.1195)
+        wrong = view.page.locator(".dimension output").filter(visible=True)
+        assert wrong.all_inner_texts() == [f"“{text}” isn't a value in mm; {wrong.inner_text().split('; ')[-1]}"]
+    for text, value in (("119,5", 0.1195), ("118 mm", 0.118), ("11.7 cm", 0.117), ("2*58", 0.116)):
+        entry.fill(text)
+        entry.press("Enter")
+        assert view.page.evaluate("linkwright.live.value(1)") == pytest.approx(value)
+        assert view.page.locator(".dimension output").filter(visible=True).count() == 0
+
+
+def test_the_search_of_signals_knows_what_plots_call_them(show: Callable[..., Opened]) -> None:
+    """The list begins at its first signal, and nothing of it is chosen before something is asked for."""
+    view = show("paper_feeder")
+    search = view.page.locator("#plot-bar input[role=combobox]").first
+    options = view.page.locator("#plot-bar [role=option]")
+    search.click()
+    assert view.page.locator("#plot-bar [role=option][aria-selected=true]").count() == 0
+    assert view.page.locator("#plot-bar ul").first.evaluate("list => list.scrollTop") == 0
+    for query, name in (("acceleration E", "E.ax"), ("force(slider, guide).x", "force(guide, slider).x")):
+        search.fill(query)
+        assert name in options.first.inner_text()
 
 
 def test_paper_says_that_it_was_changed(show: Callable[..., Opened]) -> None:

@@ -24,6 +24,16 @@ test("a search puts names that begin with the words first, and asks for all word
   assert.equal(search(entries, " ").length, entries.length);
 });
 
+test("a search finds what a plot calls a signal, and forces by either order of their links", () => {
+  const force = { ...listed("force(guide, slider).x", "N", "joint"), quantity: "滑块对导杆的力" };
+  const entries = [{ ...listed("E.vx", "mm/s", "点 (coupler)"), quantity: "点 E：速度" }, force, listed("E.x")];
+  const found = (query: string): string[] => search(entries, query).map(({ name }) => name);
+  assert.deepEqual(found("速度"), ["E.vx"]);
+  assert.deepEqual(found("力"), ["force(guide, slider).x"]);
+  assert.deepEqual(found("force(slider, guide).x"), ["force(guide, slider).x"]);
+  assert.deepEqual(found("force(slider, crank).x"), []);
+});
+
 test("values that go up and down fall into monotone pieces that meet", () => {
   assert.deepEqual(monotonePieces([0, 1, 2, 1, 0, 1]), [[0, 2], [2, 4], [4, 5]]);
   assert.deepEqual(monotonePieces([0, 1, 1, 2]), [[0, 3]]);

@@ -6,6 +6,7 @@ all poses. Signals are made when they are asked for.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 from dataclasses import field
 from functools import cached_property
@@ -79,10 +80,15 @@ class Graph:
 
     @cached_property
     def nearest_poses(self) -> Program:
-        """The program of the pose rows where dyads that can't close come nearest to it."""
+        """The program of the pose rows where dyads that can't close come nearest to it; then of each dyad with two
+        modes the distance (m) that it must span, with the least and the most that it can, -1 without a limit."""
         view = View.build(self, 0, self.inputs, nearest=True)
-        block = ExpressionStage.from_rows(view.x, view.p, [view.row(row) for row in self.pose_rows])
-        return Program((), block, self.inputs, self.parameters, tuple(row.label for row in self.pose_rows))
+        groups = [group.label for group in self.branched]
+        spanned = [view.motion.dyad(group)[0].spanned() or (0.0, 0.0, math.inf) for group in groups]
+        spans = [-1.0 if isinstance(part, float) and math.isinf(part) else part for one in spanned for part in one]
+        block = ExpressionStage.from_rows(view.x, view.p, [*(view.row(row) for row in self.pose_rows), *spans])
+        names = [f"{group}/{part}" for group in groups for part in ("distance", "least", "most")]
+        return Program((), block, self.inputs, self.parameters, (*(row.label for row in self.pose_rows), *names))
 
     @property
     def width(self) -> int:

@@ -116,6 +116,16 @@ class Dyad(ABC):
 
     def shortfall(self) -> tuple[float, float] | None:
         """On plain numbers: where the group can't close, the distance (m) it must span and the nearest it can."""
+        if (spanned := self.spanned()) is None:
+            return None
+        distance, least, most = map(float, spanned)
+        if distance > most * (1 + SLACK):
+            return distance, most
+        return (distance, least) if distance < least * (1 - SLACK) else None
+
+    def spanned(self) -> tuple[Scalar, Scalar, Scalar] | None:
+        """The distance (m) that the group must span, the least and the most that it can; ``None`` where it always
+        closes."""
         return None
 
     def span(self) -> Scalar | None:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import math
+
 from linkwright.elements import InnerLine
-from linkwright.groups.dyad import SLACK, Dyad, Root, pin, register, root_of
+from linkwright.groups.dyad import Dyad, Root, pin, register, root_of
 from linkwright.notation import Body, Pair, Scalar
+from linkwright.notation.jets import call
 
 
 @register
@@ -33,10 +36,8 @@ class RPR(Dyad):
             radicand / square,
         )
 
-    def shortfall(self) -> tuple[float, float] | None:
-        distance = self.span()
-        across = abs(self._across())
-        return (distance, across) if distance < across * (1 - SLACK) else None
+    def spanned(self) -> tuple[Scalar, Scalar, Scalar]:
+        return self.span(), call("abs", self._across()), math.inf
 
     def radicand(self) -> Scalar:
         base, across = pin(self.second).base.now.minus(pin(self.first).base.now), self._across()

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from linkwright.elements import InnerPin
-from linkwright.groups.dyad import SLACK, Dyad, Root, line, pin, pointing, register, root_of
+from linkwright.groups.dyad import Dyad, Root, line, pin, pointing, register, root_of
 from linkwright.notation import Body, Pair, Scalar
+from linkwright.notation.jets import call
 
 
 @register
@@ -26,9 +27,9 @@ class RRP(Dyad):
         to_pin = Pair(ahead * d.x - aside * d.y, ahead * d.y + aside * d.x)
         return Root(pointing(to_pin, arm), ahead - behind, radicand / square)
 
-    def shortfall(self) -> tuple[float, float] | None:
+    def spanned(self) -> tuple[Scalar, Scalar, Scalar]:
         radius, (_, aside) = self.inner.first.minus(pin(self.first).foot).length, self._start()
-        return (abs(aside), radius) if abs(aside) > radius * (1 + SLACK) else None
+        return call("abs", aside), 0.0, radius
 
     def radicand(self) -> Scalar:
         arm, (_, aside) = self.inner.first.minus(pin(self.first).foot), self._start()

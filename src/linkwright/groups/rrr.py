@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from linkwright.elements import InnerPin
-from linkwright.groups.dyad import SLACK, Dyad, Root, pin, pointing, register, root_of
+from linkwright.groups.dyad import Dyad, Root, pin, pointing, register, root_of
 from linkwright.notation import Body, Pair, Scalar
+from linkwright.notation.jets import call
 
 
 @register
@@ -35,13 +36,10 @@ class RRR(Dyad):
         back = Pair(-along2 * base.x - aside * base.y, -along2 * base.y + aside * base.x)
         return Root(pointing(to_pin, arm1), pointing(back, arm2), 0.25 * heron / (square * (r1 + r2)))
 
-    def shortfall(self) -> tuple[float, float] | None:
+    def spanned(self) -> tuple[Scalar, Scalar, Scalar]:
         first, second = pin(self.first), pin(self.second)
         r1, r2 = self.inner.first.minus(first.foot).length, self.inner.second.minus(second.foot).length
-        distance = second.base.now.minus(first.base.now).length
-        if distance > (r1 + r2) * (1 + SLACK):
-            return distance, r1 + r2
-        return (distance, abs(r1 - r2)) if distance < abs(r1 - r2) * (1 - SLACK) else None
+        return second.base.now.minus(first.base.now).length, call("abs", r1 - r2), r1 + r2
 
     def apart(self) -> Scalar:
         base = pin(self.second).base.now.minus(pin(self.first).base.now)

@@ -238,6 +238,14 @@ class LiveOutline(TypedDict):
     width: NotRequired[float]
 
 
+class SaidBy(TypedDict):
+    """The drive, by its number, by whose values it is said where the mechanism can't be assembled, with the size of
+    their unit in SI."""
+
+    drive: int
+    size: float
+
+
 class LiveData(TypedDict):
     """What the page needs to compute all values itself. Times in s, values in SI.
 
@@ -250,7 +258,9 @@ class LiveData(TypedDict):
     and of which signal (``measured``). ``outlines`` are lines on links, one program each; with ``cams`` some are
     those of cams. With ``power`` the last two rows are what the powers of a pose leave, and their size.
     ``numbers``: what can be moved, and the ``lines`` of the file where it stands; ``conditions`` on numbers are in the
-    order of the program's. ``drives`` and ``parameters`` by their number.
+    order of the program's. ``drives`` and ``parameters`` by their number; ``groups``: of each dyad with two modes
+    its links and its outer joints; ``gap``: what is said of one that can't close, and what mends it, where it must span
+    too much and where too little, with places for figures.
     """
 
     code: str
@@ -276,6 +286,9 @@ class LiveData(TypedDict):
     numbers: Sequence[LiveNumber]
     lines: Sequence[str]
     drives: Sequence[str]
+    by: SaidBy | None
+    groups: Sequence[Sequence[Text]]
+    gap: Sequence[Sequence[Text]]
     parameters: Sequence[str]
     conditions: Sequence[LiveCondition]
 

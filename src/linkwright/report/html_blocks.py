@@ -40,7 +40,7 @@ def section(shown: Section) -> str:
     blocks = [block for block in shown.blocks if filled(block)]
     stated = "" if any(isinstance(block, Measures) for block in blocks) else of_file()
     if len(blocks) == 1 and isinstance(blocks[0], Checks):
-        return f'<section id="{shown.name}">{_folded(blocks[0], "h2")}</section>'
+        return f'<section id="{shown.name}">{stated}{_folded(blocks[0], "h2")}</section>'
     body = "".join(f"{_hint(blocks, block)}{html(block)}" for block in blocks)
     return body and f'<section id="{shown.name}"><h2>{markup(shown.title)}</h2>{stated}{body}</section>'
 

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from linkwright.compilation import compile_named
 from linkwright.escape import printed
 from linkwright.expressions.units import ANGLE, LENGTH, TIME
-from linkwright.findings import Finding, Joined, ModelError
+from linkwright.findings import Finding, Joined, ModelError, Term, Text, enumerated
 from linkwright.graph.power_rows import PowerRow
 from linkwright.kernels import Compiled
 from linkwright.kernels.page_inputs import Length, number_conditions
@@ -33,7 +33,7 @@ from linkwright.model.named_numbers import NamedNumbers, named_numbers
 from linkwright.model.yaml_text import Source
 from linkwright.presentation.json_numbers import known
 from linkwright.report.arrows import Arrow, arrow_rows
-from linkwright.report.data import LiveData, LiveNumber, Plot, Scene
+from linkwright.report.data import LiveData, LiveNumber, Plot, SaidBy, Scene
 from linkwright.report.joint_shapes import live_joint_shapes
 from linkwright.report.outlines import LiveOutline
 from linkwright.report.packed import pruned
@@ -135,6 +135,12 @@ def live_data(
         "numbers": numbers,
         "lines": lines,
         "drives": list(compiled.graph.drives),
+        "by": _said_by(compiled),
+        "gap": _gap_texts(compiled),
+        "groups": [
+            (enumerated(group.links), enumerated([connection.joint for connection in group.outer]))
+            for group in compiled.graph.branched
+        ],
         "parameters": list(compiled.graph.parameters),
     }
 
@@ -147,6 +153,36 @@ def _length(document: Document, compiled: Compiled) -> Length | None:
     length = partial(length_condition, compiled, options)
     margin = number_conditions(compiled, length=length)[-1].margin
     return None if ca.SX(margin).is_constant() else length
+
+
+def _said_by(compiled: Compiled) -> SaidBy | None:
+    """The drive by whose values it is said where the mechanism can't be assembled, as findings have it; none where
+    drives follow an output."""
+    drives = compiled.mechanism.drives
+    if not drives or any(drive.output for drive in drives.values()):
+        return None
+    name = next(name for name in compiled.graph.drives if name in drives)
+    _, size = compiled.quantities.drive_unit(name)
+    return {"drive": compiled.graph.drives.index(name), "size": size}
+
+
+def _gap_texts(compiled: Compiled) -> list[tuple[Text, Text]]:
+    """What findings say of a dyad that can't close and what mends it, with places for links, joints and figures: where
+    it must span too much, and where too little."""
+    if (by := _said_by(compiled)) is None:
+        return []
+    name, (unit, _) = compiled.graph.drives[by["drive"]], compiled.quantities.unit_of(LENGTH)
+    data = {key: f"{{{key}}}" for key in ("links", "joints", "from", "to", "distance")}
+    data |= {"drive": name, "unit": compiled.quantities.drive_unit(name)[0], "length_unit": unit}
+    found: list[tuple[Text, Text]] = []
+    for short, lengths in (("gap-wide", "lengths-longer"), ("gap-narrow", "lengths-equal")):
+        terms = {
+            "short": Term(short, by="{by}", limit="{limit}", unit=unit),
+            "lengths": Term(lengths, by="{by}", unit=unit),
+        }
+        finding = Finding("motion.cannot-assemble", ("links",), data | terms)
+        found.append((finding.said("what"), finding.said("mend")))
+    return found
 
 
 def _places(document: Document, named: NamedNumbers, conditions: Sequence[Condition]) -> list[str]:

@@ -17,9 +17,15 @@ from linkwright.report.data import LiveData, Plot, Scene
 Array = NDArray[np.float64]
 
 
+APART = {"code", "owners", "groups", "gap"}
+"""What stands elsewhere in a page: programs as a script, words with the words."""
+
+
 def packed_live(live: LiveData) -> dict[str, object]:
     """All but the programs."""
-    own: dict[str, object] = {key: value for key, value in live.items() if key not in ("code", "owners")}
+    own: dict[str, object] = {
+        key: value for key, value in live.items() if key not in ("code", "owners", "groups", "gap")
+    }
     sizes, of_conditions = _unit_sizes(live), [one["size"] or 1.0 for one in live["conditions"]]
     numbers = [{**number, "locked": bool(str(number["locked"]))} for number in live["numbers"]]
     return {

@@ -34,6 +34,7 @@ LIVE_WORDS = (
     "failed_parameter",
     "hold",
     "move",
+    "no_number",
     "not_computed",
     "original",
     "others",
@@ -61,7 +62,9 @@ PLOT_WORDS = (
     "search",
     "view",
 )
-PLACES = {name: f"{{{name}}}" for name in ("change", "error", "met", "name", "off", "time", "total", "value", "what")}
+PLACES = {
+    name: f"{{{name}}}" for name in ("change", "error", "met", "name", "off", "time", "total", "unit", "value", "what")
+}
 """The places of the scripts' texts, which the scripts fill."""
 SCRIPT_WORDS = (
     "report.areas",
@@ -179,6 +182,8 @@ def _words(data: ReportData) -> dict[str, object]:
         "label_unit": str(_label(named("{title}", "{unit}"))),
         "locked": [str(one["locked"]) for one in live["numbers"]] if live else [],
         "faults": packed([str(one["what"]) for one in live["conditions"]]) if live else packed([]),
+        "groups": [[str(part) for part in one] for one in live["groups"]] if live else [],
+        "gap": ["\n".join(map(str, one)) for one in live["gap"]] if live else [],
         "kinds": {kind: say(f"report.kind.{kind}") for kind in KINDS} if live else {},
         "column": "t" if data["time"]["label"] == Said("plot.time") else str(data["time"]["label"]),
         "charts": {key: [str(chart.title), *map(str, chart.data.texts)] for key, chart in charts.items()},

@@ -45,7 +45,7 @@ const shown = charts({
   axis: words.axis,
   column: words.column,
   own,
-  signals: live ? liveSignals(live, words.kinds) : recordedSignals(plots),
+  signals: live ? liveSignals(live, words.kinds, plots) : recordedSignals(plots),
   colour: coloursAt(found("#drawing .lw")),
   say: speaker(words.texts),
   drawing,
@@ -53,9 +53,9 @@ const shown = charts({
   choosing: live && bar ? { bar, top: found("#first-plots"), kept: kept(`linkwright plots ${document.title}`) } : null,
 });
 if (live) {
-  const { texts, locked } = words;
-  const faults = unpacked(words.faults);
-  livePage({ live, drawing, charts: shown, scene: page.scene, time, texts, locked, faults });
+  const { texts, locked, groups, gap } = words;
+  const stateWords = { faults: unpacked(words.faults), groups, gap };
+  livePage({ live, drawing, charts: shown, scene: page.scene, time, texts, locked, stateWords });
 }
 whenPrinted({
   toPaper() {

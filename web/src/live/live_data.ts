@@ -63,6 +63,8 @@ export interface LiveData {
   /** The lines of the file in which numbers stand. */
   readonly lines: readonly string[];
   readonly drives: readonly string[];
+  /** The drive by whose values it is said where the mechanism can't be assembled; null where it is by the time. */
+  readonly by: { readonly drive: number; readonly size: number } | null;
   readonly parameters: readonly string[];
   /** The places of the conditions on numbers, in the program's order, and the SI sizes of the units of their values,
    * none where all are 1. */

@@ -8,6 +8,7 @@ import { dimensions } from "../panels/dimensions.ts";
 import { found } from "../panels/found.ts";
 import { liveState } from "../panels/live_state.ts";
 import { measured } from "../panels/measured.ts";
+import type { StateWords } from "../panels/state_line.ts";
 import type { Charts } from "../plots/charts.ts";
 import type { Scene, Texts, TimeAxis } from "../scene/data.ts";
 import { dragging } from "./dragging.ts";
@@ -27,16 +28,15 @@ export interface LivePage {
   readonly texts: Texts;
   /** Of each number why it is locked, else an empty text. */
   readonly locked: readonly string[];
-  /** Of each condition on numbers what is wrong where it isn't met. */
-  readonly faults: readonly string[];
+  readonly stateWords: StateWords;
 }
 
-export function livePage({ live, drawing, charts, scene, time, texts, locked, faults }: LivePage): void {
+export function livePage({ live, drawing, charts, scene, time, texts, locked, stateWords }: LivePage): void {
   const say = speaker(texts);
   const box = found("#numbers");
   const original = sceneOf(scene, live);
   const bar = html("div", { class: "live-bar" }, box);
-  const state = liveState(found("#state"), bar, live, say, time, faults);
+  const state = liveState(found("#state"), bar, live, say, time.unit, stateWords);
   const panel = dimensions(box, live, say, locked);
   const table = measured(live, say, time);
   const { shapes, hint } = modes(found("#drawing .lw"), drawing, say);

@@ -3,15 +3,17 @@
 import { type LiveNumber, numberOn } from "../measures/measure.ts";
 import type { Level, Marks, Place, Signals } from "../plots/signals.ts";
 import type { Motion } from "../program/mechanism.ts";
-import type { Values } from "../scene/data.ts";
+import type { Plot, Values } from "../scene/data.ts";
 import { figuresOf, rowsOf } from "./live_figures.ts";
 import type { LiveModel } from "./live_model.ts";
 
 /** The kinds of elements in words. */
 export type Kinds = Readonly<Record<string, string>>;
 
-export function liveSignals(live: LiveModel, kinds: Kinds): Signals {
+/** `plots`: the report's own, which say what their signals are. */
+export function liveSignals(live: LiveModel, kinds: Kinds, plots: readonly Plot[]): Signals {
   const { data } = live;
+  const quantities = new Map(plots.flatMap(({ title, series }) => series.map(({ name }) => [name, title] as const)));
   const numbers = new Map(data.signals.map((name, i) => [name, i]));
   const size = (name: string): number => data.sizes[numbers.get(name) ?? -1] ?? 1;
   const taken = new WeakMap<Motion, Map<string, Values>>();
@@ -34,7 +36,9 @@ export function liveSignals(live: LiveModel, kinds: Kinds): Signals {
     return Array<string>(count).fill(kind === "point" && of ? `${text} (${of})` : text);
   });
   return {
-    list: data.signals.map((name, i) => ({ name, unit: data.units[i]!, element: elements[i] ?? "" })),
+    list: data.signals.map((name, i) => {
+      return { name, unit: data.units[i]!, element: elements[i] ?? "", quantity: quantities.get(name) ?? "" };
+    }),
     axes: data.axes,
     get changed() {
       return live.changed;

@@ -50,6 +50,11 @@ export function combobox<O extends Option>(
     else entry.removeAttribute("aria-activedescendant");
     list.children[at]?.scrollIntoView({ block: "nearest" });
   };
+  const unpoint = (): void => {
+    at = -1;
+    entry.removeAttribute("aria-activedescendant");
+    list.scrollTop = 0;
+  };
   const close = (): void => {
     list.hidden = true;
     entry.setAttribute("aria-expanded", "false");
@@ -75,7 +80,9 @@ export function combobox<O extends Option>(
     if (!options.length) html("li", { class: "note", role: "presentation" }, list, none);
     list.hidden = false;
     entry.setAttribute("aria-expanded", "true");
-    point(options.length && entry.value ? 0 : -1);
+    // Nothing is chosen until something is asked for.
+    if (entry.value) point(0);
+    else unpoint();
   };
   entry.addEventListener("input", open);
   entry.addEventListener("focus", open);

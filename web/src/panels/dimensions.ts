@@ -1,10 +1,11 @@
 // The numbers of the model file: a slider and an entry for each, which hold it against drags, and bring it back.
 
-import { html, svg } from "../drawing/elements.ts";
+import { html, svg, write } from "../drawing/elements.ts";
 import type { LiveNumber } from "../live/live_data.ts";
 import type { LiveModel } from "../live/live_model.ts";
 import { nice, sixDigits } from "../scene/numbers.ts";
-import type { Say } from "../drawing/words.ts";
+import { filled, type Say } from "../drawing/words.ts";
+import { entered } from "./entered.ts";
 
 /** In how many steps a slider goes at least from end to end. */
 const STEPS = 400;
@@ -85,11 +86,13 @@ function row(parent: Element, live: LiveModel, i: number, say: Say, why: string)
   back.addEventListener("click", () => live.reset(i));
   slider.addEventListener("input", () => live.set(i, Number(slider.value) * size));
   const take = (): void => {
-    const value = Number(entry.value.trim().replace("−", "-").replace(",", "."));
-    const good = entry.value.trim() !== "" && Number.isFinite(value);
-    entry.setAttribute("aria-invalid", String(!good));
-    if (good && sixDigits(live.value(i) / size) !== sixDigits(value)) live.set(i, value * size);
+    const value = entered(entry.value, unit, size);
+    entry.setAttribute("aria-invalid", String(value === null));
+    wrong.hidden = value !== null;
+    write(wrong, value === null ? filled(say("live.no_number"), { value: entry.value.trim(), unit }) : "");
+    if (value !== null && sixDigits(live.value(i) / size) !== sixDigits(value)) live.set(i, value * size);
   };
+  const wrong = html("output", { class: "note bad", hidden: "" }, line);
   entry.addEventListener("change", take);
   entry.addEventListener("keydown", (event) => {
     if (event.key === "Escape") entry.value = sixDigits(live.value(i) / size);

@@ -2,14 +2,12 @@
 // lines of the file that would make it so.
 
 import { html, write } from "../drawing/elements.ts";
-import { filled, type Say } from "../drawing/words.ts";
+import type { Say } from "../drawing/words.ts";
 import type { LiveModel } from "../live/live_model.ts";
 import { changedLines } from "../live/changed_lines.ts";
-import { closureError } from "../live/closure_error.ts";
-import type { Failure } from "../program/mechanism.ts";
-import type { Scene, TimeAxis } from "../scene/data.ts";
+import type { Scene } from "../scene/data.ts";
 import { copy } from "./copy.ts";
-import { sixDigits } from "../scene/numbers.ts";
+import { type StateWords, stateLine } from "./state_line.ts";
 
 export interface LiveState {
   update(scene: Scene): void;
@@ -21,8 +19,8 @@ export function liveState(
   bar: Element,
   live: LiveModel,
   say: Say,
-  time: Pick<TimeAxis, "unit">,
-  faults: readonly string[],
+  unit: string,
+  words: StateWords,
 ): LiveState {
   const badge = html("span", { class: "mark changed", role: "status", hidden: "" }, badges);
   const line = html("p", { class: "live-line", role: "status" }, bar);
@@ -51,7 +49,7 @@ export function liveState(
   let waiting = 0;
   const later = (scene: Scene): void => {
     lines.textContent = live.changed ? changedLines(live).join("\n") : "";
-    line.textContent = live.sound ? stateLine(live, say, time, scene, faults) : say("live.unsound");
+    line.textContent = live.sound ? stateLine(live, say, unit, scene, words) : say("live.unsound");
   };
   const update = (scene: Scene): void => {
     const { changed, motion } = live;
@@ -70,46 +68,4 @@ export function liveState(
     waiting = window.setTimeout(() => later(scene), 80);
   };
   return { update };
-}
-
-/** What there is to say of the motion of the moment. */
-function stateLine(
-  live: LiveModel,
-  say: Say,
-  { unit }: Pick<TimeAxis, "unit">,
-  scene: Scene,
-  faults: readonly string[],
-): string {
-  const { data, motion } = live;
-  const { failure } = motion;
-  if (!failure) {
-    const closes = filled(say("live.closes"), { error: closureError(scene).toExponential(1) });
-    const left = live.powerResidual;
-    const balances = left === null ? "" : ` ${filled(say("live.balances"), { error: left.toExponential(1) })}`;
-    return `${closes}${balances}${live.changed && data.cams ? ` ${say("live.cams")}` : ""}`;
-  }
-  const names: Record<string, string | undefined> = {
-    parameter: data.parameters[failure.index],
-    drive: data.drives[failure.index],
-    group: data.program.groups[failure.index],
-    higher: data.program.higher[failure.index]?.group,
-    number: data.conditions.places[failure.index],
-  };
-  const at = `${sixDigits(motion.times[failure.pose]! / data.second)} ${unit}`;
-  return filled(say(`live.failed_${failure.kind}`), {
-    name: names[failure.kind] ?? "",
-    time: at,
-    what: failure.kind === "number" ? faultLine(live, failure, faults) : "",
-  });
-}
-
-/** What is wrong with a number, at the values of the moment. */
-function faultLine(live: LiveModel, { index, value = NaN }: Failure, faults: readonly string[]): string {
-  const { conditions, numbers } = live.data;
-  const text = filled(faults[index]!, { value: sixDigits(value / (conditions.sizes[index] ?? 1)) });
-  // Numbers of the file stand by names in expressions.
-  return text.replace(/n'\d+/g, (name) => {
-    const i = numbers.findIndex((number) => number.name === name);
-    return i < 0 ? name : `${sixDigits(live.value(i) / numbers[i]!.size)} ${numbers[i]!.unit}`.trim();
-  });
 }

@@ -37,6 +37,10 @@ export interface PageWords {
   readonly locked: readonly string[];
   /** Of each condition on numbers what is wrong where it isn't met. */
   readonly faults: List<string>;
+  /** Of each dyad with two modes its links and its outer joints. */
+  readonly groups: readonly (readonly [string, string])[];
+  /** What there is to say of a dyad that can't close, where it must span too much and where too little. */
+  readonly gap: readonly string[];
 }
 
 declare global {

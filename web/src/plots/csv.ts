@@ -46,7 +46,9 @@ export function csvText(
     columns.splice(1, 0, ...named);
   }
   const line = note ? `# ${note.replace(/\s+/g, " ")}\n` : "";
-  return line + tableText(columns);
+  const text = line + tableText(columns);
+  // Spreadsheets take a file without this mark as one of the local encoding.
+  return /[^\x00-\x7f]/.test(text) ? `\ufeff${text}` : text;
 }
 
 /** Columns of equal length as a table. */

@@ -3,8 +3,18 @@
 import type { Listed } from "./signals.ts";
 
 /** How well an entry fits one word; the smaller the better, null where it doesn't. */
-function fit({ name, unit, element }: Listed, word: string): number | null {
-  const text = name.toLowerCase();
+function fit({ name, unit, element, quantity = "" }: Listed, word: string): number | null {
+  const own = named(name.toLowerCase(), word);
+  if (own !== null) return own;
+  // A force between two links stands in the list once: the other way round it is the opposite.
+  const swapped = name.toLowerCase().replace(/^force\((.+), (.+)\)/, "force($2, $1)");
+  if (named(swapped, word) !== null) return 3;
+  if (`${element} ${quantity}`.toLowerCase().includes(word)) return 4;
+  return unit.toLowerCase() === word ? 4 : null;
+}
+
+/** The same of a name. */
+function named(text: string, word: string): number | null {
   if (text === word) return 0;
   if (text.startsWith(word)) return 1;
   let inside = false;
@@ -12,9 +22,7 @@ function fit({ name, unit, element }: Listed, word: string): number | null {
     if (!/[\p{L}\p{N}_]/u.test(text[at - 1]!)) return 2;
     inside = true;
   }
-  if (inside) return 3;
-  if (element.toLowerCase().includes(word)) return 4;
-  return unit.toLowerCase() === word ? 4 : null;
+  return inside ? 3 : null;
 }
 
 /** The entries that have all words of a query, the best first, else in their own order. */

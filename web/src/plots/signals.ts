@@ -7,6 +7,8 @@ export interface Listed {
   readonly name: string;
   readonly unit: string;
   readonly element: string;
+  /** What it is in words, such as a velocity, where a plot of the report says so. */
+  readonly quantity?: string;
 }
 
 /** A place of a measure in the plot of its signal: which sample's time it is nearest to, and how it is called. */

@@ -40,9 +40,11 @@ export class Mechanism {
   private readonly out: Float64Array;
   private readonly laws: Float64Array;
   private readonly shapes: Float64Array;
-  private readonly poses: Float64Array[];
+  /** The inputs of all poses of the last motion. */
+  readonly poses: Float64Array[];
   private readonly higher: HigherGroups;
-  private readonly size: number;
+  /** How much the program of the signals gives. */
+  readonly size: number;
   readonly data: ProgramData;
   times: readonly number[];
   private readonly nominalTimes: readonly number[];
@@ -146,6 +148,12 @@ export class Mechanism {
     return found;
   }
 
+  /** The value of a drive (SI) at a time. */
+  driveValue(drive: number, time: number): number {
+    this.only("laws").pose([time], this.laws);
+    return this.laws[drive * this.data.drives.width]!;
+  }
+
   /** The shapes of links at some parameters: coordinates of points (m), angles of lines (rad). */
   shape(parameters: Float64Array): Float64Array {
     const program = this.only("shape");
@@ -176,7 +184,8 @@ export class Mechanism {
   /** The rows of all poses; where dyads of the last motion can't close, those in which they come nearest to it. */
   nearest(motion: Motion): Float64Array[] {
     const count = 4 * this.data.links.length;
-    const [rows, out] = [motion.rows.slice(0, count).map((row) => row.slice()), new Float64Array(count)];
+    const rows = motion.rows.slice(0, count).map((row) => row.slice());
+    const out = new Float64Array(count + 3 * this.data.groups.length);
     for (const [k, x] of this.poses.entries()) {
       if (rows.every((row) => Number.isFinite(row[k]!))) continue;
       this.only("nearest").pose(x, out);

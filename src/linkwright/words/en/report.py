@@ -60,6 +60,7 @@ TEXTS: dict[str, str] = {
     "report.live.failed_parameter": "The parameter {name} has no value at these values.",
     "report.live.hold": "Lock against dragging",
     "report.live.move": "Motion",
+    "report.live.no_number": "“{value}” isn't a value in {unit}; write a number, a calculation, or a number with its unit, such as 160, 2*80 or 16 cm.",
     "report.live.not_computed": "not recomputed in this page",
     "report.live.original": "original {value}, change {change}",
     "report.live.others": "Other numbers of the file",

@@ -60,6 +60,7 @@ TEXTS: dict[str, str] = {
     "report.live.failed_parameter": "当前数值下，参数 {name} 没有数值。",
     "report.live.hold": "拖动时保持不变",
     "report.live.move": "运动",
+    "report.live.no_number": "“{value}”不是以 {unit} 计的数值；请输入数值、算式或带单位的数值，例如 160、2*80 或 16 cm。",
     "report.live.not_computed": "本页面不重新计算",
     "report.live.original": "原值 {value}，变化 {change}",
     "report.live.others": "文件中的其他数值",
