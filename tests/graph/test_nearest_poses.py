@@ -15,12 +15,23 @@ from linkwright.kernels.numpy_blocks import NumpyKernel
 UNITS = {"length": "m", "angle": "rad", "mass": "kg", "time": "s", "force": "N", "torque": "N*m"}
 
 
-def nearest(compiled: Compiled, **changed: float) -> dict[str, np.ndarray]:
-    """The poses of all links (x, y, cos, sin) over a turn, at other parameters."""
+def rows(compiled: Compiled, **changed: float) -> np.ndarray:
+    """What the program gives over a turn, at other parameters: (4 links + 3 dyads, times)."""
     t = np.linspace(0.0, 6.0, 41)
     p = np.array([changed.get(name, value) for name, value in compiled.quantities.parameters.items()])
-    found = NumpyKernel(compiled.graph.nearest_poses).run(compiled.inputs(t), p).reshape(-1, 4, t.size)
-    return dict(zip(compiled.structure.topology.moving, found, strict=True))
+    return NumpyKernel(compiled.graph.nearest_poses).run(compiled.inputs(t), p)
+
+
+def nearest(compiled: Compiled, **changed: float) -> dict[str, np.ndarray]:
+    """The poses of all links (x, y, cos, sin)."""
+    moving = compiled.structure.topology.moving
+    found = rows(compiled, **changed)[: 4 * len(moving)].reshape(len(moving), 4, -1)
+    return dict(zip(moving, found, strict=True))
+
+
+def spans(compiled: Compiled, **changed: float) -> np.ndarray:
+    """Of the only dyad the distance that it must span, the least and the most that it can (m), -1 without a limit."""
+    return rows(compiled, **changed)[-3:]
 
 
 def place(pose: np.ndarray, x: float, y: float = 0.0) -> np.ndarray:
@@ -44,12 +55,15 @@ def test_two_pinned_links(coupler: float, inside: bool) -> None:
     """Links too short point at each other; links too different lie along the line of their pins."""
     data = with_parameters(four_bar(), coupler=3.0)
     data["links"]["coupler"]["points"]["C"] = ["coupler", 0]
-    poses = nearest(compiled_from(data), coupler=coupler)
+    compiled = compiled_from(data)
+    poses = nearest(compiled, coupler=coupler)
     crank_pin = place(poses["crank"], 1.0)
     far = np.hypot(*(np.array([[4.0], [0.0]]) - crank_pin))
     missing = np.maximum(far - (coupler + 3.0), 0.0) if not inside else np.maximum(abs(coupler - 3.0) - far, 0.0)
     gap = np.hypot(*(place(poses["coupler"], coupler) - place(poses["rocker"], 3.0)))
     assert missing.max() > 0.1
+    limits = np.broadcast_to([[abs(coupler - 3.0)], [coupler + 3.0]], (2, far.size))
+    np.testing.assert_allclose(spans(compiled, coupler=coupler), [far, *limits], rtol=1e-14)
     np.testing.assert_allclose(gap, missing, atol=1e-12)
     for pose in poses.values():
         np.testing.assert_allclose(np.hypot(pose[2], pose[3]), 1.0, atol=1e-14)
@@ -68,5 +82,7 @@ def test_a_link_that_doesn_t_reach_its_slide() -> None:
     missing = np.maximum(np.abs(pin[1]) - 0.4, 0.0)
     gap = np.hypot(*(place(poses["rod"], 0.4) - place(poses["piston"], 0.0)))
     assert missing.max() > 0.5
+    limits = np.broadcast_to([[0.0], [0.4]], (2, missing.size))
+    np.testing.assert_allclose(spans(compiled, rod=0.4), [np.abs(pin[1]), *limits], atol=1e-14)
     np.testing.assert_allclose(gap, missing, atol=1e-12)
     np.testing.assert_allclose(place(poses["piston"], 0.0)[1], 0.0, atol=1e-14)
