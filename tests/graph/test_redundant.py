@@ -1,18 +1,21 @@
-"""Parts that hold what is held already and move along: named with rank and count; near misses with their size."""
+"""Redundant mechanisms: the spare joint is named, motion and efforts are computed, reactions as far as statics goes;
+dimensions that contradict each other with the size of the contradiction."""
 
 from __future__ import annotations
 
-import copy
 from typing import Any
 
 import numpy as np
 import pytest
+from ruamel.yaml import YAML
 
 import linkwright as lw
 from helpers.compiled import compiled_from
 from linkwright.compilation import examine
 from linkwright.findings import Finding
 from linkwright.model.document import Document
+from linkwright.results.certificate import certify
+from linkwright.results.run import Run
 
 UNITS = {"length": "mm", "angle": "deg", "time": "s"}
 
@@ -47,27 +50,51 @@ def two_guides(offset: float = -40.0, heading: float = 0.0) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def found(data: dict[str, Any]) -> list[Finding]:
-    compiled, findings = examine(Document.model_validate(data))
+def examined(data: dict[str, Any]) -> tuple[Any, list[Finding]]:
+    return examine(Document.model_validate(data))
+
+
+def spared(data: dict[str, Any]) -> tuple[Any, Finding]:
+    """A redundant mechanism with the warning on it."""
+    compiled, findings = examined(data)
+    assert compiled is not None, [f.code for f in findings]
+    (finding,) = findings
+    assert (finding.code, finding.severity) == ("structure.redundant-joints", "warning")
+    return compiled, finding
+
+
+def refused(data: dict[str, Any]) -> list[Finding]:
+    compiled, findings = examined(data)
     assert compiled is None
     return findings
 
 
+def numbers(finding: Finding) -> tuple[int, ...]:
+    return tuple(finding.data[key] for key in ("states", "rank", "constraints", "gruebler", "mobility"))
+
+
+T = np.linspace(0.0, 0.4, 9)
+"""Until the cranks lie along the frame: a change point of the groups that are solved."""
+
+
 def test_a_third_crank() -> None:
     """Six links with eight pins: 3*4 - 2*6 = 0, but one of the twelve constraints says nothing new."""
-    (finding,) = found(parallelogram(3))
-    assert finding.code == "structure.redundant-movable"
-    assert finding.path == ("links", "crank3")
-    assert finding.data == {"part": "crank3", "rank": 11, "constraints": 12, "gruebler": 0, "mobility": 1}
+    compiled, finding = spared(parallelogram(3))
+    assert finding.path == ("joints", "B3")
+    assert numbers(finding) == (1, 11, 12, 0, 1)
+    for point in ("B1", "B2", "B3"):
+        x, y = compiled.evaluate([f"{point}.x", f"{point}.y"], T) * 1000
+        angle = np.radians(30) + 2 * np.pi * T
+        i = int(point[1])
+        np.testing.assert_allclose(x, 60 * i + 40 * np.cos(angle), atol=1e-9)
+        np.testing.assert_allclose(y, 15 * (i > 2) + 40 * np.sin(angle), atol=1e-9)
+    assert certify(Run(compiled, 0.0, 0.2, 40)).sound()
 
 
-def test_more_cranks_are_named_one_by_one() -> None:
-    findings = found(parallelogram(5))
-    assert [f.path for f in findings] == [("links", f"crank{i}") for i in (3, 4, 5)]
-    assert {f.code for f in findings} == {"structure.redundant-movable"}
-    assert {(f.data["rank"], f.data["constraints"], f.data["gruebler"], f.data["mobility"]) for f in findings} == {
-        (17, 20, -2, 1)
-    }
+def test_more_cranks_are_named_pin_by_pin() -> None:
+    _, finding = spared(parallelogram(5))
+    assert str(finding.data["joints"]) == "B5, B4, B3"
+    assert numbers(finding) == (3, 17, 20, -2, 1)
 
 
 def test_a_second_coupler() -> None:
@@ -76,45 +103,41 @@ def test_a_second_coupler() -> None:
     for crank in ("crank1", "crank2"):
         data["links"][crank]["points"][f"C{crank[-1]}"] = [20, 5]
     data["links"]["second"] = {"points": {"C1": [0, 0], "C2": [60, 0]}}
-    (finding,) = found(data)
-    assert (finding.code, finding.path) == ("structure.redundant-movable", ("links", "second"))
+    compiled, finding = spared(data)
+    assert finding.path == ("joints", "C2")
+    (angle,) = compiled.evaluate(["second.angle"], T)
+    np.testing.assert_allclose(np.sin(angle), 0.0, atol=1e-12)
 
 
 def test_a_second_guide() -> None:
-    (finding,) = found(two_guides())
-    assert (finding.code, finding.path) == ("structure.redundant-movable", ("joints", "second"))
-    assert (finding.data["rank"], finding.data["gruebler"], finding.data["mobility"]) == (8, -1, 1)
+    compiled, finding = spared(two_guides())
+    assert finding.path == ("joints", "second")
+    assert numbers(finding) == (2, 8, 10, -1, 1)
+    assert certify(Run(compiled, 0.0, 1.0, 40)).sound()
 
 
-def test_without_the_named_parts_the_mechanism_runs() -> None:
-    """The mend that is proposed is one."""
-    for data in (parallelogram(4), two_guides()):
-        mended = copy.deepcopy(data)
-        for finding in found(data):
-            section, name = finding.path
-            del mended[section][name]
-        t = np.linspace(0.0, 1.0, 9)
-        assert np.isfinite(compiled_from(mended).evaluate(["B1.x" if "crank2" in data["links"] else "C.x"], t)).all()
-
-
-@pytest.mark.parametrize(("data", "miss"), [(parallelogram(3, 40.2), "0.2"), (two_guides(-40.3), "0.3")])
-def test_a_near_miss_is_told_beside_the_refusal(data: dict[str, Any], miss: str) -> None:
-    refusal, near = found(data)
+@pytest.mark.parametrize(
+    ("data", "joint", "miss"), [(parallelogram(3, 40.2), "B3", "0.2"), (two_guides(-40.3), "second", "0.3")]
+)
+def test_dimensions_that_contradict_are_refused_with_the_size_of_that(
+    data: dict[str, Any], joint: str, miss: str
+) -> None:
+    refusal, near = refused(data)
     assert refusal.code == "structure.overconstrained"
-    assert near.code == "structure.nearly-redundant"
+    assert (near.code, near.path) == ("structure.nearly-redundant", ("joints", joint))
     assert (near.data["miss"], near.data["unit"]) == (miss, "mm")
 
 
 @pytest.mark.parametrize("data", [parallelogram(3, 70.0), two_guides(-40, 20)])
 def test_what_is_far_off_is_only_refused(data: dict[str, Any]) -> None:
-    assert [f.code for f in found(data)] == ["structure.overconstrained"]
+    assert [f.code for f in refused(data)] == ["structure.overconstrained"]
 
 
 def test_a_third_crank_on_an_antiparallelogram_is_refused() -> None:
     """The same links put together crosswise don't move with it."""
     data = parallelogram(3)
     data["assembly"] = {"B2": "right of B1-A2"}
-    assert "structure.redundant-movable" not in [f.code for f in found(data)]
+    assert [f.code for f in refused(data)] == ["structure.overconstrained"]
 
 
 def test_a_crank_too_many_that_fits_at_the_start_only() -> None:
@@ -125,10 +148,151 @@ def test_a_crank_too_many_that_fits_at_the_start_only() -> None:
     middle = (start[:2] + start[2:]) / 2
     data["links"]["coupler"]["points"]["M"] = [90, 0]
     data["links"]["rod"] = {"points": {"S": [0, 0], "M": [float(np.hypot(*(middle - [90, -50]))), 0]}}
-    assert [f.code for f in found(data)] == ["structure.overconstrained"]
+    assert [f.code for f in refused(data)] == ["structure.overconstrained"]
 
 
-def test_modes_say_the_same() -> None:
+# Inputs of other people: a tandem lift table, a trammel turned by a crank, a guided scissor lift.
+
+SCISSOR = """
+linkwright: 1
+units: {length: mm, angle: deg, mass: kg, time: s, force: N, torque: N*m}
+gravity: [0, -9.81 m/s^2]
+parameters: {L: 1000}
+links:
+  frame: {points: {A0: [0, 0], R: [0, 0], H: [0, 0]}}
+  up: {points: {A0: [0, 0], B1: [L, 0], M: [L/2, 0]}, mass: 10, shape: rod A0-B1}
+  dn: {points: {B0: [0, 0], A1: [L, 0], M: [L/2, 0]}, mass: 10, shape: rod B0-A1}
+  platform: {points: {A1: [0, 0], S: [0, 0], C: [500, 0]}, mass: 50, com: [500, 0], inertia: 4e6}
+joints:
+  rail: {pin_in_slot: [dn, frame], pin: B0, straight: R at 0 deg}
+  top: {pin_in_slot: [up, platform], pin: B1, straight: S at 0 deg}
+  guide: {pin_in_slot: [platform, frame], pin: S, straight: H at 90 deg}
+assembly: {B0: [966, 0], A1: [0, 259], M: [483, 129]}
+drives:
+  ram: {moves: dn, at: B0, on: frame, along: R at 0 deg, position: "966 mm - 20 mm*t/(1 s)"}
+loads: {w: {on: platform, at: C, force: [0, -1000]}}
+studies: {cycle: {duration: 5 s, samples: 50}}
+"""
+TANDEM = """
+linkwright: 1
+units: {length: mm, angle: deg, mass: kg, time: s, force: N, torque: N*m}
+gravity: earth
+parameters: {L: 1000, w: 1200}
+links:
+  frame: {points: {A0: [0, 0], E0: [w, 0], R: [0, 0]}}
+  up1: {points: {A0: [0, 0], B1: [L, 0], M: [L/2, 0]}, mass: 10, shape: rod A0-B1}
+  dn1: {points: {B0: [0, 0], A1: [L, 0], M: [L/2, 0]}, mass: 10, shape: rod B0-A1}
+  up2: {points: {E0: [0, 0], F1: [L, 0], N: [L/2, 0]}, mass: 10, shape: rod E0-F1}
+  dn2: {points: {F0: [0, 0], E1: [L, 0], N: [L/2, 0]}, mass: 10, shape: rod F0-E1}
+  platform: {points: {A1: [0, 0], E1: [w, 0], S: [0, 0]}, mass: 100, com: [1100, 0], inertia: 1e7}
+joints:
+  r1: {pin_in_slot: [dn1, frame], pin: B0, straight: R at 0 deg}
+  r2: {pin_in_slot: [dn2, frame], pin: F0, straight: R at 0 deg}
+  t1: {pin_in_slot: [up1, platform], pin: B1, straight: S at 0 deg}
+  t2: {pin_in_slot: [up2, platform], pin: F1, straight: S at 0 deg}
+assembly: {B0: [900, 0], A1: [0, 436], B1: [900, 436], F0: [2100, 0], E1: [1200, 436], F1: [2100, 436]}
+drives: {ram: {moves: dn1, at: B0, on: frame, along: R at 0 deg, position: "900 mm - 20 mm*t/(1 s)"}}
+"""
+TRAMMEL = """
+linkwright: 1
+units: {length: mm, angle: deg, mass: kg, time: s, force: N, torque: N*m}
+parameters: {l: 100}
+links:
+  frame: {points: {O: [0, 0], Q: [0, 0]}}
+  crank: {points: {O: [0, 0], M: [l/2, 0]}, mass: 1, shape: rod O-M}
+  bar:   {points: {A: [0, 0], M: [l/2, 0], B: [l, 0], P: [1.5*l, 0]}, mass: 1, shape: rod A-B}
+joints:
+  sx: {pin_in_slot: [bar, frame], pin: A, straight: Q at 0 deg}
+  sy: {pin_in_slot: [bar, frame], pin: B, straight: Q at 90 deg}
+assembly: {A: [70, 0], B: [0, 70]}
+drives: {motor: {turns: crank, on: frame, speed: 60 rpm, start: 45 deg}}
+"""
+
+
+def data_of(text: str) -> dict[str, Any]:
+    data: dict[str, Any] = YAML(typ="safe").load(text)
+    return data
+
+
+def test_a_tandem_lift_table() -> None:
+    """Two scissors under one platform: two rollers are spare. The ram's force at the start from virtual work."""
+    compiled, finding = spared(data_of(TANDEM))
+    assert str(finding.data["joints"]) == "t2, r2"
+    assert numbers(finding) == (2, 14, 16, -1, 1)
+    (force,) = compiled.evaluate(["ram.force"], T)
+    assert force[0] == pytest.approx(-2428.654, abs=5e-4)
+    assert certify(Run(compiled, 0.0, 5.0, 40)).sound()
+
+
+def test_a_trammel_with_a_crank_has_one_slot_too_many() -> None:
+    compiled, finding = spared(data_of(TRAMMEL))
+    assert finding.path == ("joints", "sy")
+    x, y = compiled.evaluate(["P.x", "P.y"], T) * 1000
+    angle = np.radians(45) + 2 * np.pi * T
+    np.testing.assert_allclose([x, y], [-50 * np.cos(angle), 150 * np.sin(angle)], atol=1e-9)
+
+
+def test_a_guided_scissor_lift_names_the_guide() -> None:
+    """The ram's force against that without the guide, which holds nothing that isn't held already."""
+    compiled, finding = spared(data_of(SCISSOR))
+    assert finding.path == ("joints", "guide")
+    free = data_of(SCISSOR)
+    del free["joints"]["guide"]
+    (force,), (without,) = (one.evaluate(["ram.force"], T) for one in (compiled, compiled_from(free)))
+    np.testing.assert_allclose(force, without, rtol=1e-12)
+    assert "platform" not in str(finding.data["joints"])
+
+
+# What is known of reactions.
+
+
+def with_measure(text: str, **data: Any) -> dict[str, Any]:
+    return {**data_of(SCISSOR), "measures": {"m": {"extremes": text}}, **data}
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["guide.force", "force(dn, platform).x", "hypot(force(dn, platform).x, force(dn, platform).y)", "-rail.force"],
+)
+def test_reactions_that_statics_leaves_open_are_refused_by_name(text: str) -> None:
+    (finding,) = refused(with_measure(text))
+    assert (finding.code, finding.path) == ("stiffness.undetermined", ("measures", "m", "extremes"))
+
+
+@pytest.mark.parametrize(
+    "text", ["force(dn, platform).x + force(frame, platform).x", "force(up, platform).y", "top.force", "ram.force"]
+)
+def test_what_is_determined_of_them_can_be_measured(text: str) -> None:
+    compiled, _ = examined(with_measure(text))
+    assert compiled is not None
+
+
+def test_undetermined_reactions_are_in_no_list() -> None:
+    job = lw.run(Document.model_validate(data_of(SCISSOR)))
+    assert "guide.force" not in job.cycle.result.names
+    forces = {name for name in job.cycle.result.names if name.startswith("force(")}
+    upright = {f"force({on}).y" for on in ("up, platform", "dn, platform", "platform, frame")}
+    assert forces == {*upright, "force(up, platform).x", "force(dn, frame).x"}
+    with pytest.raises(lw.ModelError) as error:
+        job.cycle.result["guide.force"]
+    assert [f.code for f in error.value.findings] == ["stiffness.undetermined"]
+    total = job.cycle.result["force(dn, platform).x + force(frame, platform).x"]
+    np.testing.assert_allclose(total, 0.0, atol=1e-6)  # nothing else pushes the platform sideways
+
+
+def test_friction_that_depends_on_them_is_refused() -> None:
+    friction = {"f": {"pin": "A1", "radius": "10 mm", "coefficient": 0.1}}
+    (finding,) = refused({**data_of(SCISSOR), "friction": friction})
+    assert (finding.code, finding.path, finding.data["joint"]) == ("stiffness.friction", ("friction", "f"), "A1")
+    compiled, _ = examined({**data_of(SCISSOR), "friction": {"f": {"pin": "A1", "viscous": "0.1 N*m*s/rad"}}})
+    assert compiled is not None
+
+
+def test_studies_that_dont_take_them_are_refused_by_name() -> None:
+    for study, options in {"limits": {}, "sweep": {"vary": {"L": {"uniform": [990, 1010]}}}}.items():
+        studies = {"cycle": {"duration": "1 s"}, study: options}
+        findings = lw.check(Document.model_validate({**data_of(SCISSOR), "studies": studies}))
+        assert "structure.redundant-study" in [f.code for f in findings], study
     with pytest.raises(lw.ModelError) as error:
         lw.modes(Document.model_validate(parallelogram(3)))
-    assert [f.code for f in error.value.findings] == ["structure.redundant-movable"]
+    assert [f.code for f in error.value.findings] == ["structure.redundant-study"]

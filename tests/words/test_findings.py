@@ -85,6 +85,7 @@ TITLES = {
     "functions": "Joint functions",
     "workspace": "Workspaces",
     "varied": "Many parameter sets",
+    "stiffness": "Stiffness",
     "structure": "Structure",
     "assembly": "Assembly",
     "motion": "Motion",

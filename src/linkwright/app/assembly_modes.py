@@ -12,10 +12,11 @@ from linkwright.findings import Finding, ModelError, raise_errors
 from linkwright.model.document import Document
 from linkwright.report.summary import worded
 from linkwright.structure import decompose
-from linkwright.studies import read_studies
+from linkwright.studies import STUDIES, read_studies
 from linkwright.studies.modes.outcome import ModesOutcome
 from linkwright.studies.modes.report import modes_data
 from linkwright.studies.modes.study import ModesOptions, find_modes, own_mode
+from linkwright.studies.redundant import refused_redundant
 
 
 @dataclass
@@ -56,6 +57,7 @@ def modes_of_document(document: Document, folder: Path | None, options: ModesOpt
     if [finding.code for finding in findings] in (["model.no-drive"], ["model.no-freedom"]):
         made.structure = decompose(made.mechanism)  # what can't move can be put together all the same
         findings = [] if not made.structure.findings else findings
+    findings += refused_redundant(made.structure, STUDIES["modes"], ("studies", "modes"))
     job = ModesJob(Examined(document, findings=findings))
     if job.examined.findings:
         return job

@@ -30,6 +30,7 @@ from linkwright.report.build import report_data
 from linkwright.report.page import page
 from linkwright.report.summary import drawn, found, summary
 from linkwright.studies import NOWHERE, STUDIES, RunContext, Stopped, Study, StudyTask, read_studies
+from linkwright.studies.redundant import refused_redundant
 from linkwright.studies.registry import OfStructures, Outcomes
 
 CANNOT = ("structure.", "assembly.", "motion.", "measure.nothing", "measure.not-finite", "export.cannot-")
@@ -162,6 +163,7 @@ def _checked(compiled: Compiled | None, tasks: list[StudyTask], orders: list[Ord
     for section, owner, options in asked:
         checked += option_faults(compiled.mechanism, options, (section, owner.name))
         checked += owner.check(compiled, options)
+        checked += refused_redundant(compiled.structure, owner, (section, owner.name))
     return checked
 
 

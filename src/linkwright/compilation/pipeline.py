@@ -41,6 +41,9 @@ class Prepared:
     structure: Structure
     stated: Laws
     findings: list[Finding]
+    """What keeps it from being solved."""
+    warnings: list[Finding]
+    """What is odd with its structure."""
 
     @property
     def mechanism(self) -> Mechanism:
@@ -84,7 +87,9 @@ def _with_numbers(
     stated, wrong = laws(numbers, folder, named=not unnamed)
     findings = [*unnamed, *unclear, *wrong]
     found, unsolved = structure(numbers, stated, named=not unnamed, redundancy=driven and not findings)
-    return Prepared(spelled, numbers, found, stated, spelled.with_file_paths([*findings, *unsolved]))
+    said = [f for f in unsolved if f.severity != "error"]
+    wrong = [*findings, *(f for f in unsolved if f.severity == "error")]
+    return Prepared(spelled, numbers, found, stated, *map(spelled.with_file_paths, (wrong, said)))
 
 
 def examine(mechanism: Mechanism, folder: Path | None = None, uses: Uses = ()) -> tuple[Compiled | None, list[Finding]]:
@@ -93,10 +98,10 @@ def examine(mechanism: Mechanism, folder: Path | None = None, uses: Uses = ()) -
 
     The result is ``None`` where an error stops it; warnings alone don't.
     """
-    return _assembled(prepare(mechanism, folder, uses), folder)
+    return _assembled(prepare(mechanism, folder, uses), folder, uses)
 
 
-def _assembled(made: Prepared, folder: Path | None) -> tuple[Compiled | None, list[Finding]]:
+def _assembled(made: Prepared, folder: Path | None, uses: Uses = ()) -> tuple[Compiled | None, list[Finding]]:
     """The stages that follow the structure."""
     if made.findings:
         return None, made.findings
@@ -104,8 +109,19 @@ def _assembled(made: Prepared, folder: Path | None) -> tuple[Compiled | None, li
     if assembly.findings:
         return None, made.spelled.with_file_paths(assembly.findings)
     parts = (made.mechanism, made.quantities, made.structure, assembly, made.laws, made.tables, made.motions)
-    odd = warnings(made.spelled, made.quantities, made.stated, assembly)
-    return Compiled(*parts, plane=made.spelled.plane, folder=folder, copies=made.spelled.copies), odd
+    odd = [*made.warnings, *warnings(made.spelled, made.quantities, made.stated, assembly)]
+    compiled = Compiled(*parts, plane=made.spelled.plane, folder=folder, copies=made.spelled.copies)
+    if made.quantities.signals.undetermined and (refused := _undetermined(compiled, uses)):
+        return None, made.spelled.with_file_paths(refused)
+    return compiled, odd
+
+
+def _undetermined(compiled: Compiled, uses: Uses) -> list[Finding]:
+    """What asks for reactions that a redundant mechanism leaves undetermined."""
+    from linkwright.compilation.undetermined_uses import undetermined_uses
+
+    others = uses(compiled.mechanism) if callable(uses) else uses
+    return list(undetermined_uses(compiled, [*compiled.quantities.places, *others]))
 
 
 def compile_model(model: str | Path | Mechanism, folder: str | Path | None = None) -> Compiled:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import field
+from functools import partial
 from pathlib import Path
 
 from linkwright.data_classes import dataclass
@@ -90,14 +91,16 @@ def laws(q: Quantities, folder: Path | None, named: bool) -> tuple[Laws, list[Fi
 
 def structure(q: Quantities, stated: Laws, named: bool, redundancy: bool) -> tuple[Structure, list[Finding]]:
     """Driven links and groups in the order of solution, and why there are none. Where all else is sound, ``redundancy``
-    has parts looked for that are redundant but move along, at the start pose."""
+    has equations of joints looked for that follow from the others."""
     m = q.mechanism
     found = decompose(m) if named else Structure(Topology(m), ())
     if not (redundancy and found.findings):
         return found, list(found.findings)
     from linkwright.graph.redundant import redundant
 
-    return found, redundant(q, found, values_at(stated.drives, 0.0))
+    spared = redundant(q, found, partial(values_at, stated.drives))
+    q.signals.leave_undetermined(spared[0].self_stress.components)
+    return spared
 
 
 def assemble(q: Quantities, found: Structure, stated: Laws) -> Assembly:

@@ -17,7 +17,12 @@ from linkwright.expressions.fields import AssemblyRule
 from linkwright.expressions.units import LENGTH
 from linkwright.findings import Finding, Joined, ModelError, Term, enumerated
 from linkwright.graph.geometry import Geometry
-from linkwright.graph.higher_groups import assemble_higher_group, drawn_phases, only_coordinates
+from linkwright.graph.higher_groups import (
+    assemble_as_drawn,
+    assemble_higher_group,
+    drawn_phases,
+    only_coordinates,
+)
 from linkwright.graph.motion import Motion, Unknowns, solve_motion
 from linkwright.graph.wedges import Parallel
 from linkwright.groups import Dyad
@@ -95,7 +100,8 @@ class _Assembler:
         self.assembly.start = self.motion
         moving = self.structure.topology.moving
         for name, rule in self.rules.items():
-            spare = rule.sketch is not None and self.owner(name, moving)  # a group of one mode needs no sketch
+            # A group of one mode needs no sketch, and one of a redundant mechanism may keep other joints than its rule.
+            spare = self.structure.releases or (rule.sketch is not None and self.owner(name, moving))
             if name not in self.used and not spare:
                 self.note("assembly.unused", ("assembly", name), point=name)
         return self.assembly
@@ -133,6 +139,8 @@ class _Assembler:
             elif not found and group.inner.joint in self.quantities.mechanism.cylinders:
                 branch = group.front
                 self.assembly.rules[group] = group.rule(branch)
+            elif not found and self.structure.drawn:
+                branch = self.as_drawn(group, dyad)
             elif not found:
                 self.note(
                     "assembly.missing",
@@ -146,6 +154,17 @@ class _Assembler:
             self.note("assembly.cannot-close", ("links", group.links[0]), **data)
             raise _CannotStart
         return branch
+
+    def as_drawn(self, group: Group, dyad: Dyad) -> float:
+        """The mode of a group that is nearest to the pose in which a redundant mechanism was found to close."""
+        assert self.structure.drawn is not None
+        away = []
+        for sign in (1.0, -1.0):
+            dyad.solve(sign, 0)  # puts the group's links into the motion
+            bodies = [(self.structure.drawn[link], self.motion.bodies[link]) for link in group.meeting]
+            origins = (body.point(Pair(0.0, 0.0)).now.minus(Pair(x, y)) for (x, y, _), body in bodies)
+            away.append(sum(float(miss.dot(miss)) for miss in origins))
+        return 1.0 if away[0] <= away[1] else -1.0
 
     def mirrored(self, name: str, branch: float, group: Group, dyad: Dyad) -> None:
         """A note where a rule of the file chooses the mode that the sketch doesn't show."""
@@ -166,6 +185,11 @@ class _Assembler:
         sketch = {name: place for name, place in every.items() if self.owner(name, higher_group.links)}
         self.used |= sketch.keys()
         self.quantities.phases |= drawn_phases(self.motion, higher_group, sketch, self.drives)
+        if self.structure.drawn is not None:
+            found = assemble_as_drawn(self.motion, higher_group, self.structure.drawn, self.drives)
+            if found is not None:
+                self.assembly.starts[higher_group] = found
+                return found
         if not sketch and (found := only_coordinates(self.motion, higher_group, self.drives)) is not None:
             self.assembly.starts[higher_group] = found
             return found

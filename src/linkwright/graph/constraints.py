@@ -169,6 +169,10 @@ class Constraints:
     def _unit(self, unit: str) -> float:
         return self.size if unit == "length" else 1.0
 
+    def bodies(self, links: Sequence[str], z: Array) -> list[Body]:
+        """Some links at a pose, about their origins (m)."""
+        return self._bodies(links, self._poses(z))
+
     def _bodies(self, links: Sequence[str], at: Array) -> list[Body]:
         """Some links in a pose, about their origins (m)."""
         poses = (at[:, self.index[link]].tolist() for link in links)

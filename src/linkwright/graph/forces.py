@@ -21,6 +21,7 @@ from linkwright.graph.geometry import ZERO
 from linkwright.graph.higher_groups import Beside
 from linkwright.graph.motion import Motion
 from linkwright.graph.placing import outer_joint
+from linkwright.graph.sharing import shares
 from linkwright.groups.linear import Factor
 from linkwright.notation import Body, Pair, Scalar, Wrench
 from linkwright.notation.jets import is_zero
@@ -138,7 +139,7 @@ def _balanced(
     """All forces under the wrenches of the links."""
     units = unit_efforts(motion) | (pushes or {})
     if not units:
-        return _Solver(motion, own, beside).run()
+        return _shared(motion, own, beside)
     lacking = _Solver(motion, own, Beside.NONE).run().efforts
     efforts = dict(zip(units, lever(motion, units).solve([-lacking[name] for name in units]), strict=True))
     for name, unit in units.items():
@@ -150,10 +151,23 @@ def _balanced(
             own = _added(own, unit, ca.if_else(pulls, 0.0, effort))
         else:
             own = _added(own, unit, efforts[name])
-    forces = _Solver(motion, own, beside).run()
+    forces = _shared(motion, own, beside)
     forces.efforts |= efforts
     forces.pushes = pushes or {}
     return forces
+
+
+def _shared(motion: Motion, own: dict[str, Wrench], beside: Beside) -> Forces:
+    """All forces; those of redundant joints as the stiffness has it that the file states, or with nothing in the
+    equations that no step keeps, as one of the states that statics allows."""
+    forces = _Solver(motion, own, beside).run()
+    if not motion.structure.releases or not motion.geometry.mechanism.stiffness:
+        return forces
+    count = sum(one.rows for one in motion.structure.releases)
+    still = {link: Wrench.zero(body.anchor.now) for link, body in motion.bodies.items()}
+    units = [[float(i == k) for i in range(count)] for k in range(count)]
+    states = [_Solver(motion, still, Beside.NONE, unit).run() for unit in units]
+    return _Solver(motion, own, beside, shares(motion, forces, states)).run()
 
 
 def separating(motion: Motion) -> Iterator[Resisting]:
@@ -202,12 +216,21 @@ def _added(own: dict[str, Wrench], unit: dict[str, Wrench], effort: Scalar) -> d
 
 
 class _Solver:
-    def __init__(self, motion: Motion, wrenches: dict[str, Wrench], beside: Beside = Beside.ALL) -> None:
-        self.motion, self.wrenches, self.beside = motion, dict(wrenches), beside
+    """One pass through the steps, the last first; ``spare`` are the multipliers of the equations that no step keeps."""
+
+    def __init__(
+        self,
+        motion: Motion,
+        wrenches: dict[str, Wrench],
+        beside: Beside = Beside.ALL,
+        spare: Sequence[Scalar] | None = None,
+    ) -> None:
+        self.motion, self.wrenches, self.beside, self.spare = motion, dict(wrenches), beside, spare
         self.forces = Forces()
         self.carried: dict[tuple[str, str], Wrench] = {}
 
     def run(self) -> Forces:
+        self.released()
         for step in reversed(self.motion.structure.steps):
             if isinstance(step, Driven):
                 self.drive(step, self.motion.twists[step])
@@ -221,6 +244,24 @@ class _Solver:
             self.react(joint, link, wrench.opposite)
         self.forces.shaking = self.wrenches[FRAME]
         return self.forces
+
+    def released(self) -> None:
+        """What the equations that no step keeps do, which are none of the unknowns."""
+        structure, bodies = self.motion.structure, self.motion.bodies
+        left = None if self.spare is None else list(self.spare)
+        for one in structure.releases:
+            for link in one.links:
+                self.react(one.joint, link, Wrench.zero(bodies[link].anchor.now))
+            if left is None:
+                continue
+            of_links = [bodies[link] for link in one.links]
+            inner = one.inner(self.motion.geometry)
+            for unit in one.multipliers(self.motion.geometry, of_links):
+                times = left.pop(0)
+                for link, action in zip(one.links, inner.actions(of_links, unit), strict=True):
+                    own = action.times(times)
+                    self.react(one.joint, link, own.opposite)
+                    self.wrenches[link] = self.wrenches[link].plus(own)
 
     def drive(self, step: Driven | LinkPlacement, twist: Twist) -> None:
         assert step.drive is not None

@@ -22,8 +22,9 @@ from linkwright.elements import STILL, Inner, Twist
 from linkwright.graph.geometry import extent
 from linkwright.graph.placing import answered, driven_body, inner_joint, outer_joint
 from linkwright.groups.linear import Factor
-from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
+from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
 from linkwright.notation.jets import call
+from linkwright.notation.planar import unit_vector
 from linkwright.structure import Connection, HigherGroup, LinkPlacement
 
 if TYPE_CHECKING:
@@ -293,6 +294,21 @@ def assemble_higher_group(
     if best is not None:
         solve_higher_group(motion, step, drives, lambda _: best[1])
     return best[1] if best else None
+
+
+def assemble_as_drawn(
+    motion: Motion, step: HigherGroup, poses: Mapping[str, tuple[float, float, float]], drives: dict[str, Jet]
+) -> list[float] | None:
+    """The coordinates at the start pose, by Newton from whole poses of the links (m, m, rad)."""
+    for link in step.links:
+        x, y, angle = poses[link]
+        at, axis = Vec.constant(Pair(x, y), 0), Vec.constant(unit_vector(angle), 0)
+        motion.bodies[link] = Body(at, Pair(0.0, 0.0), axis, Jet(()), angle)
+    start = [outer_joint(motion, edge.joint, edge.link).coordinate(motion.bodies[edge.link]) for edge in step.free]
+    found = newton(motion, step, start, drives)
+    if found is not None:
+        solve_higher_group(motion, step, drives, lambda _: found)
+    return found
 
 
 def drawn_phases(

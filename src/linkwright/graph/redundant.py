@@ -1,15 +1,17 @@
-"""Parts that hold what is held already, and move along all the same: a third crank on a parallelogram, a second guide.
+"""Mechanisms that are redundant and move all the same: a third crank on a parallelogram, a second guide of a platform.
 
-Gruebler's count refuses such a mechanism. Without the part it can be solved; its curve of poses is followed, and the
-part's joints are tried at poses all along it. Where they hold, the part is redundant and the mechanism movable: the
-rank of the constraint Jacobian says so too (P. E. Nikravesh 1988, ch. 3).
+Gruebler's count refuses such a mechanism. Its pose is found without some of its parts, and these are fitted in; from
+there on the states of self-stress tell which equations follow from the others (:mod:`.spare_equations`). The groups are
+then those of the others alone. Along the motion that these leave, what is left out is looked at: where it holds, the
+mechanism moves (the rank of the Jacobian says so too: P. E. Nikravesh 1988, ch. 3); where it nearly does, its
+dimensions contradict each other by that much.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
-from itertools import islice
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -17,78 +19,189 @@ from numpy.typing import NDArray
 
 from linkwright.data_classes import dataclass
 from linkwright.expressions.units import LENGTH
-from linkwright.findings import Finding
+from linkwright.findings import CLAUSES, Finding, Joined, ModelError, Term
 from linkwright.graph.assembly import assemble
-from linkwright.graph.circuits import Tracer
 from linkwright.graph.constraints import Constraints
 from linkwright.graph.geometry import Geometry, extent
+from linkwright.graph.spare_equations import Candidate, SpareEquations, kept_rows
+from linkwright.graph.standing import close_joints, keeps_rules, sketched_places, starts
+from linkwright.graph.undetermined import Undetermined
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.quantities import Quantities
-from linkwright.structure import FRAME, Structure, decompose
+from linkwright.notation import Pair
+from linkwright.structure import FRAME, Structure, decompose_without
 
 Array = NDArray[np.float64]
-Pose = dict[str, Array]
+ORIGIN = Pair(0.0, 0.0)
+Values = Callable[[float], Mapping[str, float]]
+"""The value of each drive and follower (rad or m) at a time (s)."""
 
 HOLDS = 1e-9
-"""Joints that miss by less than this share of the size all along hold."""
+"""Joints that miss by less than this share of the size hold."""
 NEARLY = 0.02
-"""A part that misses by less than this share of the size was meant to be redundant, it seems."""
-POSES, PARTS, TRIES = 48, 4, 12
-"""The poses tried on each curve; the most redundant parts looked for; the parts tried for each."""
+"""Joints that miss by less than this share of the size were meant to hold, it seems."""
+PARTS, TRIES = 12, 150
+"""The most parts that are left out to find a pose; how many structures are tried for that."""
+FAR = 0.1
+"""The most by which closing the joints may move a pose (rad, or over the size)."""
+POSES, TURN, SHIFT = 12, 0.6, 0.2
+"""The poses looked at along the motion; how far the drives go on it (rad, or lengths over the size)."""
+LONGEST = 1e4
+"""The longest time (s) in which drives are waited for to go as far as that."""
 EXCESS = ("structure.overconstrained", "structure.redundant")
 
 
 @dataclass(frozen=True)
 class Removable:
-    """Something that may be left out: a link, or a slide between two links."""
+    """Something that may be left out for a pose: a link, or a joint that isn't a pin."""
 
     kind: str  # "links" or "joints", its section in the file
     name: str
 
 
-def redundant(quantities: Quantities, structure: Structure, values: Mapping[str, float]) -> list[Finding]:
-    """The structure's findings, those on too many constraints replaced where the mechanism moves all the same.
+@dataclass
+class Agreement:
+    """The equations left out of a redundant mechanism, and what each of them misses at worst (over the size, or rad)
+    along the motion that the others leave; ``poses`` are those looked at, with their times (s)."""
 
-    ``values`` are the drives' at the start (rad or m).
-    """
+    structure: Structure
+    chosen: list[Candidate]
+    misses: list[float]
+    poses: list[tuple[float, Array]]
+    spare: SpareEquations
+
+    @property
+    def worst(self) -> float:
+        """The largest miss."""
+        return max(self.misses, default=math.inf)
+
+
+def redundant(quantities: Quantities, structure: Structure, values: Values) -> tuple[Structure, list[Finding]]:
+    """The structure without the equations that follow from others, with a warning that names them; else the structure
+    as it is, with its findings and what its dimensions miss for it to move."""
     findings = list(structure.findings)
-    if not findings or any(finding.code not in EXCESS for finding in findings):
-        return findings
-    left_out = _spare(quantities.mechanism, findings, PARTS)
-    if left_out is None:
-        return findings
-    parts, rest = left_out
-    reduced = decompose(rest)
+    counted = decompose_without(quantities.mechanism, ())
+    if not counted.findings or any(finding.code not in EXCESS for finding in counted.findings):
+        return structure, findings
     try:
         with np.errstate(all="ignore"):
-            poses = _poses(quantities, reduced, values)
-            whole = _Whole(quantities, structure, parts, poses) if poses else None
+            found = _agreement(quantities, counted, values)
     except np.linalg.LinAlgError:
-        return findings
-    if whole is None:
-        return findings
-    misses = {part: whole.miss(part) for part in parts}
-    if max(misses.values()) < HOLDS:
-        return [_movable(part, structure, whole) for part in parts]
-    nearly = {part: miss for part, miss in misses.items() if HOLDS <= miss < NEARLY}
-    return findings + [_nearly(part, miss * whole.system.size, quantities) for part, miss in nearly.items()]
+        found = None
+    if found is None:
+        return structure, findings
+    if found.worst < HOLDS and found.spare.on_drives < NEARLY * NEARLY:
+        system = found.spare.system
+        system.set_drive_values(values(0.0))
+        left = Undetermined(system, found.poses[:: max(1, len(found.poses) // 6)], quantities.signals)
+        if quantities.mechanism.stiffness and (open_joints := [*left.joints, *system.topology.closing_slides]):
+            return structure, [Finding("stiffness.not-enough", ("stiffness",), {"joints": Joined(open_joints)})]
+        return replace(found.structure, self_stress=left.self_stress), [_spared(found, left)]
+    if found.worst < NEARLY:
+        return structure, [*findings, *_nearly(found, quantities)]
+    return structure, findings
 
 
-def _spare(mechanism: Mechanism, findings: list[Finding], most: int) -> tuple[list[Removable], Mechanism] | None:
-    """The fewest parts, one for each finding at a time, without which the structure is sound."""
-    if most == 0:
+def _agreement(quantities: Quantities, structure: Structure, values: Values) -> Agreement | None:
+    """What may be left out, and how well it agrees with the rest."""
+    geometry = Geometry(quantities, quantities.parameters)
+    system = Constraints(structure.topology, geometry, extent(structure.topology, geometry))
+    system.set_drive_values(values(0.0))
+    near = _start(quantities, structure, system, values(0.0))
+    if near is None:
         return None
-    before = _excess(findings)
-    for part in islice(_candidates(mechanism, findings[0]), TRIES):
-        rest = without(mechanism, part)
-        left = list(decompose(rest).findings)
-        if not left:
-            return [part], rest
-        if all(finding.code in EXCESS for finding in left) and _excess(left) < before:
-            deeper = _spare(rest, left, most - 1)
-            if deeper is not None:
-                return [part, *deeper[0]], deeper[1]
+    z, miss = close_joints(system, near)
+    if not miss < NEARLY or np.abs(system.pose_difference(z, near)).max() > FAR:
+        return None  # joints that miss, or that close in another assembly mode only
+    # The states of self-stress at the start alone, then along the motion that the first choice leaves.
+    for order in range(3):
+        spare = SpareEquations(system, [z])
+        if (found := _chosen(quantities, spare, order)) is None:
+            continue
+        chosen, reduced = found
+        system.set_drive_values(values(0.0))
+        poses = _traced(system, chosen, z, values)
+        if len(poses) < 3:
+            continue
+        along = SpareEquations(system, [pose for _, pose in poses[:: max(1, len(poses) // 6)]])
+        if (found := _chosen(quantities, along, order)) is None:
+            continue
+        chosen, reduced = found
+        misses = _misses(system, chosen, poses, values)
+        drawn = _drawn(system, poses[0][1])
+        return Agreement(replace(reduced, drawn=drawn), chosen, misses, poses, along)
     return None
+
+
+def _chosen(quantities: Quantities, spare: SpareEquations, order: int) -> tuple[list[Candidate], Structure] | None:
+    """What is left out in an order of preference, and the structure of the rest; ``None`` where that isn't sound."""
+    candidates = list(spare.orders())[order]
+    if spare.states == 0 or (chosen := spare.choose(candidates)) is None:
+        return None
+    reduced = decompose_without(quantities.mechanism, tuple(one.release for one in chosen))
+    return None if reduced.findings else (chosen, reduced)
+
+
+# The pose to begin with.
+
+
+def _start(
+    quantities: Quantities, structure: Structure, system: Constraints, values: Mapping[str, float]
+) -> Array | None:
+    """A pose near one in which all joints hold: that of the mechanism without some parts, and these fitted in; or from
+    sketched places alone."""
+    left_out = _spare_parts(quantities.mechanism, list(structure.findings))
+    if left_out is not None:
+        parts, rest = left_out
+        assembly = assemble(quantities, decompose_without(rest, ()), values)
+        if assembly.start is not None and all(f.code == "assembly.unused" for f in assembly.findings):
+            spare = [part.name for part in parts if part.kind == "links"]
+            bodies = assembly.start.bodies
+            known = {link: np.array(_pose(bodies[link])) for link in system.links if link in bodies}
+            return _fitted_in(system, known, spare)
+    return _from_sketch(quantities, system)
+
+
+def _pose(body: Any) -> tuple[float, float, float]:
+    """Where a body's origin is (m), and its angle (rad)."""
+    at, axis = body.point(ORIGIN).now, body.axis.now
+    return float(at.x), float(at.y), math.atan2(float(axis.y), float(axis.x))
+
+
+def _from_sketch(quantities: Quantities, system: Constraints) -> Array | None:
+    """The pose nearest to closing from sketched places, of those that keep the rules of sides."""
+    best: tuple[float, Array] | None = None
+    if any(c.kind.phased for c, _ in system.others):
+        return None
+    for sketched, start in starts(system, sketched_places(quantities, system)):
+        z, miss = close_joints(system, start)
+        if (best is None or miss < best[0]) and keeps_rules(quantities, system, z):
+            best = miss, z
+        if sketched or miss < HOLDS:
+            break
+    return best[1] if best else None
+
+
+def _spare_parts(mechanism: Mechanism, findings: list[Finding]) -> tuple[list[Removable], Mechanism] | None:
+    """The fewest parts, one for each finding at a time, without which the structure is sound."""
+    tries = iter(range(TRIES))
+
+    def search(rest: Mechanism, findings: list[Finding], most: int) -> tuple[list[Removable], Mechanism] | None:
+        before = _excess(findings)
+        for part in _candidates(rest, findings[0]) if most else ():
+            if next(tries, None) is None:
+                return None
+            fewer = without(rest, part)
+            left = list(decompose_without(fewer, ()).findings)
+            if not left:
+                return [part], fewer
+            if all(finding.code in EXCESS for finding in left) and _excess(left) < before:
+                deeper = search(fewer, left, most - 1)
+                if deeper is not None:
+                    return [part, *deeper[0]], deeper[1]
+        return None
+
+    return search(mechanism, findings, PARTS)
 
 
 def _excess(findings: list[Finding]) -> int:
@@ -96,10 +209,10 @@ def _excess(findings: list[Finding]) -> int:
 
 
 def _candidates(mechanism: Mechanism, finding: Finding) -> Iterator[Removable]:
-    """What may be left out to mend a finding: the slides in it, then its links, the last in the file first."""
+    """What may be left out to mend a finding: the joints in it but pins, then its links, the last in the file first."""
     links = [*finding.data["links"].parts]
     driven = {link for drive in mechanism.movers.values() for link in (drive.link, drive.on)}
-    names = [name for name, joint in mechanism.prismatic_joints() if {*joint.links} & {*links}]
+    names = [name for name, joint in mechanism.joints_but_pins() if {*joint.links} & {*links}]
     if finding.code == "structure.redundant":
         names, links = [name for name in names if name == finding.data["joint"]], []
     yield from (Removable("joints", name) for name in reversed(names))
@@ -107,7 +220,7 @@ def _candidates(mechanism: Mechanism, finding: Finding) -> Iterator[Removable]:
 
 
 def without(mechanism: Mechanism, part: Removable) -> Mechanism:
-    """The mechanism without a link and its joints, or without a slide."""
+    """The mechanism without a link and its joints, or without a joint."""
     links = {name: link for name, link in mechanism.links.items() if (part.kind, part.name) != ("links", name)}
     joints = {
         name: joint
@@ -117,89 +230,141 @@ def without(mechanism: Mechanism, part: Removable) -> Mechanism:
     return mechanism.model_copy(update={"links": links, "joints": joints})
 
 
-def _poses(quantities: Quantities, reduced: Structure, values: Mapping[str, float]) -> list[Pose]:
-    """Poses of the links (x, y in m, angle in rad) all along the curves of each drive; none where it can't start."""
-    assembly = assemble(quantities, reduced, values)
-    if assembly.start is None or any(finding.code != "assembly.unused" for finding in assembly.findings):
-        return []
-    geometry = Geometry(quantities, quantities.parameters)
-    size = extent(reduced.topology, geometry)
-    found: list[Pose] = []
-    for drive in values:
-        system = Constraints(reduced.topology, geometry, size)
-        system.set_drive_values({name: value for name, value in values.items() if name != drive})
-        tracer = Tracer(system, drive)
-        curve = None if tracer.too_large else tracer.follow(system.pose(assembly.start.bodies))
-        if curve is None:
-            return []
-        step = max(1, len(curve.poses) // POSES)
-        for z in curve.poses[::step]:
-            rows = z.reshape(-1, 3) * [size, size, 1.0]
-            found.append({FRAME: np.zeros(3)} | dict(zip(system.links, rows, strict=True)))
+def _fitted_in(system: Constraints, known: Mapping[str, Array], spare: list[str]) -> Array:
+    """The pose of the known links (m, m, rad), with the spare ones one after the other where their joints hold best."""
+    unit = np.array([system.size, system.size, 1.0])
+    middle = np.mean([pose[:2] for pose in known.values()], axis=0) / system.size if known else np.zeros(2)
+    z = np.concatenate([known.get(link, np.zeros(3)) / unit for link in system.links])
+    pattern = system.jacobian(np.random.default_rng(0).uniform(1.0, 2.0, system.width)) != 0
+    touched = {name: pattern[:, system.columns_of([name])].any(axis=1) for name in spare}
+    for i, name in enumerate(spare):
+        # Its joints but those to spare links that aren't placed yet.
+        later = np.sum([touched[other] for other in spare[i + 1 :]], axis=0, dtype=bool)
+        rows = touched[name] & ~later
+        columns = system.columns_of([name])
+        tries = [_fitted(system, z, rows, columns, np.array([*middle, k * math.pi / 6])) for k in range(12)]
+        z = min(tries, key=lambda pose: float(np.abs(system.residual(pose)[rows]).max(initial=0.0)))
+    return z
+
+
+def _fitted(system: Constraints, z: Array, rows: Any, columns: list[int], start: Array) -> Array:
+    """One link by Gauss-Newton on its joints."""
+    pose = z.copy()
+    pose[columns] = start
+    for _ in range(30):
+        rest, slopes = system.residual(pose)[rows], system.jacobian(pose)[rows][:, columns]
+        step = np.linalg.lstsq(slopes, rest, rcond=1e-10)[0]
+        pose[columns] -= step
+        if np.abs(step).max() < 1e-13:
+            break
+    return pose
+
+
+# The motion from there.
+
+
+def _traced(system: Constraints, chosen: list[Candidate], z: Array, values: Values) -> list[tuple[float, Array]]:
+    """Poses along the motion that the equations leave which are kept, with their times; fewer where it ends."""
+    found: list[tuple[float, Array]] = []
+    for time in np.linspace(0.0, _span(system, values), POSES):
+        try:
+            system.set_drive_values(values(float(time)))
+        except ModelError:  # past the end of a table
+            break
+        closed = _closed(system, chosen, z)
+        if closed is None:
+            break
+        z = closed
+        found.append((float(time), z))
     return found
 
 
-class _Whole:
-    """The whole mechanism at the poses that it has without its spare parts, these put where their joints hold best."""
-
-    def __init__(self, quantities: Quantities, structure: Structure, parts: list[Removable], poses: list[Pose]) -> None:
-        geometry = Geometry(quantities, quantities.parameters)
-        self.system = Constraints(structure.topology, geometry, extent(structure.topology, geometry), whole=True)
-        pattern = self.system.jacobian(np.random.default_rng(0).uniform(1.0, 2.0, self.system.width)) != 0
-        self.columns = {part.name: self.system.columns_of([part.name]) for part in parts if part.kind == "links"}
-        touched = {name: pattern[:, of].any(axis=1) for name, of in self.columns.items()}
-        named = np.array(self.system.rows)
-        self.rows = {part: touched.get(part.name, named == part.name) for part in parts}
-        shared = np.sum(list(touched.values()), axis=0) if touched else np.zeros(len(named))
-        self.fit = {name: rows & (shared == 1) for name, rows in touched.items()}
-        unit = [self.system.size, self.system.size, 1.0]
-        self.poses: list[Array] = []
-        for pose in poses:
-            z = np.concatenate([pose.get(link, np.zeros(3)) / unit for link in self.system.links])
-            self.poses.append(self.place_spare_links(z, self.poses[-1] if self.poses else None))
-
-    def place_spare_links(self, z: Array, last: Array | None) -> Array:
-        """The pose with the spare links where their joints hold best."""
-        for name, columns in self.columns.items():
-            middle = z.reshape(-1, 3)[:, :2].mean(axis=0)
-            around = [np.array([*middle, k * math.pi / 6]) for k in range(12)]
-            tries = [self.fitted(z, name, s) for s in (around if last is None else [last[columns]])]
-            z = min(tries, key=lambda at: float(np.abs(self.system.residual(at)[self.fit[name]]).max(initial=0.0)))
-        return z
-
-    def fitted(self, z: Array, name: str, start: Array) -> Array:
-        """One spare link by Gauss-Newton on its joints."""
-        at, columns, rows = z.copy(), self.columns[name], self.fit[name]
-        at[columns] = start
-        for _ in range(30):
-            rest, slopes = self.system.residual(at)[rows], self.system.jacobian(at)[rows][:, columns]
-            step = np.linalg.lstsq(slopes, rest, rcond=1e-10)[0]
-            at[columns] -= step
-            if np.abs(step).max() < 1e-13:
-                break
-        return at
-
-    def miss(self, part: Removable) -> float:
-        """How far a part's joints are from holding, together, over the size, at the worst pose."""
-        if any(self.system.opposed(z) for z in self.poses):
-            return math.inf
-        gaps = np.array([self.system.residual(z)[self.rows[part]].reshape(-1, 2) for z in self.poses])
-        return float(np.hypot(gaps[:, :, 0], gaps[:, :, 1]).sum(axis=1).max())
-
-    def rank(self) -> int:
-        """The rank of all constraints, at that of some poses where it is largest."""
-        some = self.poses[:: max(1, len(self.poses) // 7)]
-        return max(int(np.linalg.matrix_rank(self.system.jacobian(z), tol=1e-7)) for z in some)
+def _closed(system: Constraints, chosen: list[Candidate], z: Array) -> Array | None:
+    """The pose nearby at which what is kept holds, by Newton; ``None`` where there is none."""
+    for _ in range(25):
+        kept = kept_rows(system, z, chosen)
+        rest = kept @ system.residual(z)
+        step = np.linalg.lstsq(kept @ system.jacobian(z), rest, rcond=1e-12)[0]
+        if not np.abs(step).max(initial=0.0) < 0.5:
+            return None
+        z = z - step
+        if np.abs(step).max(initial=0.0) < 1e-14:
+            break
+    return z if np.abs(kept_rows(system, z, chosen) @ system.residual(z)).max(initial=0.0) < 1e-12 else None
 
 
-def _movable(part: Removable, structure: Structure, whole: _Whole) -> Finding:
-    rank, followers = whole.rank(), len(structure.topology.mechanism.followers)
-    data: dict[str, Any] = {"part": part.name, "rank": rank, "mobility": whole.system.width - rank - followers}
-    data |= {"constraints": len(whole.system.rows), "gruebler": structure.topology.gruebler}
-    return Finding("structure.redundant-movable", (part.kind, part.name), data)
+def _span(system: Constraints, values: Values) -> float:
+    """The time (s) in which some drive goes as far as is looked at, or as far as it goes at all."""
+    start = values(0.0)
+    units = {
+        name: TURN if system.topology.mechanism.prescribed(name).turns is not None else SHIFT * system.size
+        for name in start
+    }
+    farthest, best, time = 0.0, 0.0, 1e-4
+    while time < LONGEST:
+        try:
+            gone = max((abs(value - start[name]) / units[name] for name, value in values(time).items()), default=0.0)
+        except ModelError:
+            break
+        if gone > 1.0:
+            return time / max(gone, 1.0)
+        if gone > farthest:
+            farthest, best = gone, time
+        time *= 1.3
+    return best
 
 
-def _nearly(part: Removable, miss: float, quantities: Quantities) -> Finding:
+def _misses(
+    system: Constraints, chosen: list[Candidate], poses: list[tuple[float, Array]], values: Values
+) -> list[float]:
+    """What each part left out misses at the worst of some poses."""
+    found = [0.0] * len(chosen)
+    for time, z in poses:
+        system.set_drive_values(values(time))
+        rest = system.residual(z)
+        for i, one in enumerate(chosen):
+            found[i] = max(found[i], float(np.linalg.norm(one.weights(system, z) @ rest)))
+        if system.opposed(z):
+            return [math.inf] * len(chosen)
+    system.set_drive_values(values(0.0))
+    return found
+
+
+def _drawn(system: Constraints, z: Array) -> dict[str, tuple[float, float, float]]:
+    rows = (z.reshape(-1, 3) * [system.size, system.size, 1.0]).tolist()
+    return {link: (x, y, turn) for link, (x, y, turn) in zip(system.links, rows, strict=True)}
+
+
+# What is said of it.
+
+
+def _spared(found: Agreement, left: Undetermined) -> Finding:
+    """The warning that names what is redundant, and which reactions that leaves undetermined."""
+    system, topology = found.spare.system, found.structure.topology
+    rank = len(system.names) - found.spare.states
+    names = list(dict.fromkeys(one.release.joint for one in found.chosen))
+    data: dict[str, Any] = {"joints": Joined(names), "states": found.spare.states, "rank": rank}
+    mobility = system.width - rank - len(topology.mechanism.followers)
+    data |= {"constraints": len(system.names), "gruebler": topology.gruebler, "mobility": mobility}
+    data["reactions"] = _reactions(topology.mechanism, left)
+    return Finding("structure.redundant-joints", ("joints", names[0]), data, severity="warning")
+
+
+def _reactions(mechanism: Mechanism, left: Undetermined) -> Term:
+    """The sentence on what is known of the reactions."""
+    if left.components:
+        joints, sums = Joined(left.joints), Joined(left.sums(), CLAUSES)
+        return Term("redundant-sums" if sums.parts else "redundant-open", joints=joints, sums=sums)
+    if not mechanism.stiffness:
+        return Term("redundant-determined")
+    equal = any(entry.equal for entry in mechanism.stiffness.values())
+    return Term("redundant-equal" if equal else "redundant-shared")
+
+
+def _nearly(found: Agreement, quantities: Quantities) -> Iterator[Finding]:
+    """By what each spare joint misses."""
     unit, size = quantities.unit_of(LENGTH)
-    data = {"part": part.name, "miss": f"{miss / size:.3g}", "unit": unit}
-    return Finding("structure.nearly-redundant", (part.kind, part.name), data)
+    for one, miss in zip(found.chosen, found.misses, strict=True):
+        if miss >= HOLDS:
+            data = {"joint": one.release.joint, "miss": f"{miss * found.spare.system.size / size:.3g}", "unit": unit}
+            yield Finding("structure.nearly-redundant", ("joints", one.release.joint), data)

@@ -65,13 +65,13 @@ def close_joints(system: Constraints, z: Array) -> tuple[Array, float]:
 
 def _closing(quantities: Quantities, system: Constraints) -> tuple[Array | None, list[Finding]]:
     """The pose at which all joints close at once."""
-    places = _sketched(quantities, system)
+    places = sketched_places(quantities, system)
     found: list[Array] = []
     nearest = math.inf
-    for sketched, start in _starts(system, places):
+    for sketched, start in starts(system, places):
         z, miss = close_joints(system, start)
         nearest = min(nearest, miss)
-        if miss > CLOSED or not _keeps_rules(quantities, system, z):
+        if miss > CLOSED or not keeps_rules(quantities, system, z):
             continue
         if sketched:
             return z, []
@@ -86,7 +86,7 @@ def _closing(quantities: Quantities, system: Constraints) -> tuple[Array | None,
     return None, [Finding("reactions.not-closed", ("links",), data)]
 
 
-def _sketched(quantities: Quantities, system: Constraints) -> Places:
+def sketched_places(quantities: Quantities, system: Constraints) -> Places:
     """The places of points that the file states (m): those of the frame, and sketched ones."""
     m, geometry = quantities.mechanism, system.geometry
     places = {name: np.array(geometry.point(FRAME, name), dtype=float) for name in m.links[FRAME].points}
@@ -94,7 +94,7 @@ def _sketched(quantities: Quantities, system: Constraints) -> Places:
     return places | {name: np.array(geometry.position(at), dtype=float) for name, at in rules.items()}
 
 
-def _starts(system: Constraints, places: Mapping[str, Array]) -> Iterator[tuple[bool, Array]]:
+def starts(system: Constraints, places: Mapping[str, Array]) -> Iterator[tuple[bool, Array]]:
     """Poses to begin with, and whether the stated places tell all of one."""
     geometry, random = system.geometry, np.random.default_rng(0)
     fits = []
@@ -128,7 +128,7 @@ def _turned(local: Array, goals: Array) -> float | None:
     return math.atan2(sine, cosine) if math.hypot(sine, cosine) > 0 else None
 
 
-def _keeps_rules(quantities: Quantities, system: Constraints, z: Array) -> bool:
+def keeps_rules(quantities: Quantities, system: Constraints, z: Array) -> bool:
     """Whether a pose keeps the assembly rules that name a side."""
     m, links_of_points = quantities.mechanism, quantities.signals.links_of_points
 

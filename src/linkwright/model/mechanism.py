@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Annotated, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 from pydantic import BaseModel, Field, PrivateAttr
 
@@ -17,11 +17,13 @@ from linkwright.elements.points import FRAME
 from linkwright.escape import line
 from linkwright.expressions.fields import Frozen, FrozenDict, LongText, Name, Text
 from linkwright.expressions.typed_fields import OWN_SCOPE
+from linkwright.expressions.written import FaultWithin
 from linkwright.model.actions import Table, Window
 from linkwright.model.gravity import Gravity
 from linkwright.model.motions import MotionLaw
 from linkwright.model.parts import Joint, Link, Parameter, Plane, Units
 from linkwright.model.sections import MAX_ENTRIES, MAX_LINKS, Sections, WhenThere, at_most
+from linkwright.model.stiffness import Stiffnesses, stiffness_faults
 from linkwright.reductions import Measure
 
 if TYPE_CHECKING:
@@ -66,6 +68,7 @@ class Head(Frozen):
     units: Units = Units()
     gravity: Gravity | None = None
     plane: Plane | None = None
+    stiffness: Stiffnesses = Field(default_factory=FrozenDict)
     subassemblies: Annotated[dict[Name, _Subassembly], at_most(MAX_ENTRIES), freeze, OWN_SCOPE] = Field(
         default_factory=FrozenDict
     )
@@ -79,6 +82,11 @@ class Mechanism(Sections, Head):
     """
 
     _followers: Mapping[str, Follower] = PrivateAttr(default_factory=FrozenDict)
+
+    @classmethod
+    def faults(cls, given: Mapping[str, Any]) -> Iterator[FaultWithin]:
+        yield from super().faults(given)
+        yield from stiffness_faults(given.get("stiffness"))
 
     @property
     def followers(self) -> Mapping[str, Follower]:

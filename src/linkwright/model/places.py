@@ -33,7 +33,7 @@ OF_FORMULA = FrozenDict({ARGUMENT: u.PURE})
 
 SECTIONS = (
     "parameters", "plane", "gravity", "links", "joints", "cylinders", "assembly", "drives", "paths", "cams", *NOUNS,
-    "tables", "laws", "windows",
+    "tables", "laws", "windows", "stiffness",
 )  # fmt: skip
 """The sections in the order in which their dimensions are inferred; measures follow, each with its bounds."""
 

@@ -13,6 +13,7 @@ from linkwright.expressions.unknown import near, unknown, unknown_point
 from linkwright.findings import Finding
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.pins import pins, shared_pins
+from linkwright.model.stiffness import JOINTS
 from linkwright.model.walk import Reference, references
 
 
@@ -61,6 +62,9 @@ KINDS: Mapping[str, ElementKind] = {
         "touching",
     ),
     "acting": ElementKind(lambda m: [one.name for one in m.acting() if one.kind.acts], "loads", "acting"),
+    "elastic": ElementKind(
+        lambda m: [*pins(m), *(name for name, _ in m.joints_but_pins()), *m.links, JOINTS], "joints", "elastic"
+    ),
     "measure": ElementKind(lambda m: m.measures, "measures", "measure"),
     "parameter": ElementKind(lambda m: m.parameters, "parameters", code="name.unknown-parameter"),
 }

@@ -79,6 +79,7 @@ class Signals:
         self.mechanism = mechanism
         self.pins, self.links_of_points = pins(mechanism), links_of_points(mechanism)
         self._found: dict[str | Call, Signal] = {}
+        self.undetermined: frozenset[tuple[str, str, str]] = frozenset()
 
     @cached_property
     def contacts(self) -> list[Contact]:
@@ -105,11 +106,32 @@ class Signals:
 
     @cached_property
     def reactions(self) -> list[Contact]:
-        """The same, of two links that meet one way round alone."""
+        """The same, of two links that meet one way round alone; without those that aren't determined."""
         found: dict[tuple[str, str], Contact] = {}
         for contact in self.contacts:
             found.setdefault((contact.joint, contact.link if contact.on == contact.joint else ""), contact)
-        return [*found.values()]
+        return [one for one in found.values() if not self._open(one, "x", "y")]
+
+    def leave_undetermined(self, components: frozenset[tuple[str, str, str]]) -> None:
+        """Note components of reactions, by joint, link and attribute, that are left out of lists and refused where a
+        user asks for them: of a redundant mechanism, those that its stiffness alone would tell."""
+        self.undetermined = components
+        for cached in ("reactions", "by_text"):
+            self.__dict__.pop(cached, None)
+
+    def _open(self, contact: Contact, *attributes: str) -> bool:
+        return any((contact.joint, contact.link, attribute) in self.undetermined for attribute in attributes)
+
+    def is_undetermined(self, signal: Signal) -> bool:
+        """Whether a signal is one of a reaction that isn't determined."""
+        if not self.undetermined or signal.kinematic:
+            return False
+        if signal.kind == "force":
+            parts = ("normal", "moment") if signal.attribute == "arm" else (signal.attribute,)
+            return self._open(self.contact(signal.owners), *parts)
+        if signal.kind == "joint":
+            return any(self._open(one, "x", "y") for one in self.contacts if one.joint == signal.owners[0])
+        return False
 
     @cached_property
     def looped(self) -> tuple[str, ...]:
@@ -275,7 +297,11 @@ class Signals:
         return {signal.text: signal for signal in self.all()}
 
     def all(self) -> list[Signal]:
-        """Every signal of the mechanism, motion first, then forces; poles, one for any two links, only by name."""
+        """Every signal of the mechanism that is determined, motion first, then forces; poles, one for any two links,
+        only by name."""
+        return [signal for signal in self._all() if not self.is_undetermined(signal)]
+
+    def _all(self) -> list[Signal]:
         m = self.mechanism
         found = [Signal("point", (p,), a, d) for p in self.links_of_points for a, d in POINT.items()]
         found += [Signal("link", (link,), a, d) for link in m.links if link != FRAME for a, d in LINK.items()]

@@ -1,8 +1,8 @@
 """What a report needs to compute its mechanism itself: programs in place of tables, and the numbers that can be moved.
 
 All numbers that stand in the model file are parameters of these programs. Where a page can't compute a motion it shows
-what was recorded: a sweep of a drive, a structure that stands, a motion through change points, whose branches hold at
-the nominal parameters alone.
+what was recorded: a sweep of a drive, a structure that stands, a redundant mechanism, a motion through change points,
+whose branches hold at the nominal parameters alone.
 """
 
 from __future__ import annotations
@@ -56,6 +56,8 @@ ROUND_OFF = 1e-9
 def can_be_live(result: Result) -> bool:
     """Whether a page can compute what a result shows."""
     run = result.run
+    if run.compiled.structure.releases:  # other numbers may no longer agree with what is left out
+        return False
     return not isinstance(run, Sweep) and run.start == 0.0 < run.stop and not run.compiled.passages.every
 
 

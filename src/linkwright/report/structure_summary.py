@@ -58,7 +58,7 @@ def facts(compiled: Compiled) -> list[Fact]:
     motors = len(compiled.graph.motors)
     mobility = Said(
         "fact.mobility.text",
-        mobility=topology.gruebler,
+        mobility=compiled.structure.mobility,
         moving=len(topology.moving),
         joints=topology.joint_count,
         drives=Said("fact.mobility.followers", drives=motors, followers=len(m.followers)) if m.followers else motors,

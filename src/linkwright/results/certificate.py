@@ -56,6 +56,7 @@ class Certificate:
     followed: dict[str, tuple[int, float]]  # of groups solved by Newton: steps of the path, largest correction
     poses: int
     choice: KernelChoice  # of the kernel, and why
+    redundant: int = 0  # equations that follow from others, beyond which the count's mobility is that of the rank
     starting: float | None = None
     signals: float | None = None
     signal: str = ""  # the one that misses its formula most
@@ -104,6 +105,7 @@ def certify(run: Run) -> Certificate:
         gruebler=topology.gruebler,
         rank=constraints,
         loops=topology.loops,
+        redundant=compiled.structure.redundant,
         nearest=nearest(run),
         branches={
             **{g.label: _branch(rules.get(g, ""), changes[g.label]) for g in compiled.structure.groups},

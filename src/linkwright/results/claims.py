@@ -38,7 +38,7 @@ def _residuals(c: Certificate, tolerance: float) -> Iterator[Claim]:
 
 
 def _mobility(c: Certificate, tolerance: float) -> Iterator[Claim]:
-    yield Claim("mobility", str(c.mobility), f"= {c.gruebler}", c.mobility == c.gruebler)
+    yield Claim("mobility", str(c.mobility), f"= {c.gruebler}", c.mobility == c.gruebler + c.redundant)
 
 
 def _nearest(c: Certificate, tolerance: float) -> Iterator[Claim]:

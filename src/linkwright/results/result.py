@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright._machine import needed
+from linkwright.compilation.undetermined_uses import undetermined_in
 from linkwright.data_classes import dataclass
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.language import Call, ExpressionError, Name, parse
@@ -80,6 +81,8 @@ class Result:
             return self._values[text]
         with _read(text):
             node = self.run.compiled.quantities.dimensions.bind(parse(text), None)
+        if (name := undetermined_in(self.run.compiled, parse(text))) is not None:
+            raise ModelError([Finding("stiffness.undetermined", (text[:60],), {"signal": name})])
         return np.asarray(self.run.jets(node, self.t).d[0])
 
     def dimension(self, text: str) -> Dimension:

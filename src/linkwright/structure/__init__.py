@@ -1,7 +1,8 @@
 """Structure: joints, mobility and the decomposition into Assur groups."""
 
 from linkwright.model.mechanism import FRAME
-from linkwright.structure.decomposition import decompose
+from linkwright.structure.decomposition import decompose, decompose_without
+from linkwright.structure.releases import Release, SelfStress
 from linkwright.structure.steps import Chain, Driven, Group, HigherGroup, LinkPlacement, Step, Structure, Wedge
 from linkwright.structure.topology import Connection, Topology
 
@@ -13,9 +14,12 @@ __all__ = [
     "Group",
     "HigherGroup",
     "LinkPlacement",
+    "Release",
+    "SelfStress",
     "Step",
     "Structure",
     "Topology",
     "Wedge",
     "decompose",
+    "decompose_without",
 ]

@@ -16,6 +16,7 @@ from linkwright.groups import REGISTRY
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.structure.placed import PlacedLinks
 from linkwright.structure.refusals import fixed_angles, immovable_outputs, redundant, unsolved
+from linkwright.structure.releases import Release
 from linkwright.structure.steps import Chain, Driven, Group, HigherGroup, LinkPlacement, Step, Structure, Wedge
 from linkwright.structure.topology import PIN, Connection, Topology
 
@@ -238,6 +239,12 @@ def _dyad(a: _Side, inner: Connection, b: _Side) -> Group | None:
         if signature in REGISTRY:
             return Group(signature, (first[0], second[0]), (first[1], second[1]), inner, (first[2], second[2]))
     return None
+
+
+def decompose_without(mechanism: Mechanism, releases: tuple[Release, ...]) -> Structure:
+    """The structure of a mechanism some equations of which are left out; its topology is that of all of them."""
+    found = _GroupSearch(Topology(mechanism, releases)).run()
+    return Structure(Topology(mechanism), found.steps, found.findings, releases)
 
 
 def decompose(mechanism: Mechanism) -> Structure:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import field
 from functools import cached_property
 
 from linkwright.data_classes import dataclass
 from linkwright.findings import Finding
 from linkwright.groups import REGISTRY, Dyad
+from linkwright.structure.releases import Release, SelfStress
 from linkwright.structure.topology import Connection, Topology
 
 
@@ -236,6 +239,8 @@ class HigherGroup:
 
 
 Step = Driven | Group | Wedge | HigherGroup
+Pose = tuple[float, float, float]
+"""Where a link's origin is (m), and its angle (rad)."""
 
 
 @dataclass(frozen=True)
@@ -245,6 +250,22 @@ class Structure:
     topology: Topology
     steps: tuple[Step, ...]
     findings: tuple[Finding, ...] = ()
+    releases: tuple[Release, ...] = ()
+    """Equations of joints that no step keeps, as they follow from all others; the topology has them."""
+    self_stress: SelfStress = field(default_factory=SelfStress, compare=False)
+    """What neither statics nor stiffness determines."""
+    drawn: Mapping[str, Pose] | None = field(default=None, compare=False)
+    """Of a redundant mechanism the start pose, in which the closures of all joints were found to agree."""
+
+    @property
+    def redundant(self) -> int:
+        """How many equations follow from the others, so that no step keeps them."""
+        return Topology(self.topology.mechanism, self.releases).gruebler - self.topology.gruebler
+
+    @property
+    def mobility(self) -> int:
+        """Gruebler's count, without the equations that follow from others."""
+        return self.topology.gruebler + self.redundant
 
     @property
     def groups(self) -> tuple[Group, ...]:

@@ -11,6 +11,7 @@ from linkwright.elements.mover import Mover
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.pins import Pin, pins
 from linkwright.model.slides import closing, pairs_of
+from linkwright.structure.releases import Release, released_pins
 
 FREEDOMS = 3
 """Those of a link."""
@@ -52,11 +53,14 @@ class Topology:
     """Links, pins, lines and drives of a mechanism, by name."""
 
     mechanism: Mechanism
+    releases: tuple[Release, ...] = ()
+    """What is left out of it: equations of joints that follow from all others."""
 
     @cached_property
     def pins(self) -> dict[str, Pin]:
         """The pins by name."""
-        return pins(self.mechanism)
+        every = pins(self.mechanism)
+        return released_pins(every, self.releases) if self.releases else every
 
     @cached_property
     def moving(self) -> tuple[str, ...]:
@@ -76,7 +80,14 @@ class Topology:
     def but_pins(self) -> tuple[Connection, ...]:
         """The joints that aren't pins."""
         joints = self.mechanism.joints_but_pins()
-        return tuple(Connection(name, kind(j.kind), j.links[0], j.links[1], tuple(j.links[2:])) for name, j in joints)
+        every = (Connection(name, kind(j.kind), j.links[0], j.links[1], tuple(j.links[2:])) for name, j in joints)
+        if not self.releases:
+            return tuple(every)
+        released = {one.joint for one in self.releases}
+        parts = (
+            Connection(one.joint, one.kept, one.links[0], one.links[1]) for one in self.releases if one.kept is not None
+        )
+        return (*(c for c in every if c.joint not in released), *parts)
 
     @cached_property
     def joints(self) -> dict[str, tuple[JointKind, tuple[str, ...]]]:
@@ -141,7 +152,8 @@ class Topology:
     @cached_property
     def slide_pairs(self) -> dict[str, frozenset[str]]:
         """The links of slides, as :mod:`linkwright.model.slides` counts them."""
-        return pairs_of(self.mechanism)
+        bent = {one.joint for one in self.releases if one.kept is None or not one.kept.keeps_direction}
+        return {name: pair for name, pair in pairs_of(self.mechanism).items() if name not in bent}
 
     @cached_property
     def closing_slides(self) -> tuple[str, ...]:

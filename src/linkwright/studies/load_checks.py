@@ -83,6 +83,9 @@ def _lifted(
     """A warning for each contact of a joint whose links would have to pull each other, where they pull hardest."""
     for attribute, sign in one_sided.items():
         signal = f"{path[1]}.{attribute}"
+        signals = run.compiled.quantities.signals
+        if signals.undetermined and signal not in signals.by_text:
+            continue  # by how much it presses isn't known
         t, force = RunMotion(run).row(signal)
         worst = int(np.argmin(sign * force))
         pull = -sign * float(force[worst])

@@ -82,6 +82,8 @@ class Study(ABC):
     """The command that performs it alone, where there is one."""
     words: ClassVar[Mapping[str, Mapping[str, str]]] = {}
     """Texts that the catalogue lacks, by language and key."""
+    redundant: ClassVar[bool] = False
+    """Whether it takes redundant mechanisms, of which some joints aren't kept by the groups that are solved."""
 
     def check(self, compiled: Compiled, options: Any) -> list[Finding]:
         """What is wrong with options that are well-formed."""

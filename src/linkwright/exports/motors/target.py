@@ -38,6 +38,7 @@ class MotorOptions(Frozen):
 class MotorExpressions:
     """The motion laws of drives as piecewise text in t, and as tables."""
 
+    redundant = True  # laws of drives alone
     name = "motor-expressions"
     example = "{dialect: creo}"
     options = MotorOptions

@@ -165,6 +165,8 @@ def certificate_entry(result: Result, second: float, time_unit: str) -> dict[str
         "measures": c.measures,
     }
     entry |= {"mobility": c.mobility, "gruebler": c.gruebler, "rank": c.rank, "loops": c.loops}
+    if c.redundant:
+        entry["redundant"] = c.redundant
     if c.nearest is not None:
         entry["smallest_determinant"] = c.nearest.determinant
         entry["smallest_determinant_at"] = {

@@ -35,6 +35,7 @@ class Cycle(Study):
     example = "{turns: 1 motor, samples: 360}"
     options = CycleOptions
     rank = 0
+    redundant = True
     files = {
         "cycle.csv": FileOf(lambda outcome: outcome.result.to_csv()),
         "cycle.nc": FileOf(

@@ -41,7 +41,8 @@ def _signals(c: Certificate, name: str, time: Text) -> Text:
 
 
 def _mobility(c: Certificate, name: str, time: Text) -> Text:
-    return Said("proof.mobility.text", rank=c.rank, gruebler=c.gruebler)
+    redundant = Said("proof.mobility.redundant", gruebler=c.gruebler, redundant=c.redundant)
+    return Said("proof.mobility.text", rank=c.rank, gruebler=redundant if c.redundant else c.gruebler)
 
 
 def _nearest(c: Certificate, name: str, time: Text) -> Text:

@@ -92,6 +92,7 @@ TEXTS: dict[str, str] = {
     "proof.work": "Work and energy",
     "proof.work.text": "The work of drives, loads and dampers equals the change of kinetic, potential and elastic energy over the run (residual relative to the sum of their magnitudes).",
     "proof.mobility": "Mobility",
+    "proof.mobility.redundant": "{gruebler} and {redundant} redundant",
     "proof.mobility.text": "Mobility from the rank of the constraints ({rank}); Gruebler's count gives {gruebler}.",
     "proof.nearest": "Margin to singularity",
     "proof.nearest.text": "Smallest margin (1 = best, 0 = dead centre or change point): group {group} at t = {time}.",

@@ -91,6 +91,7 @@ TEXTS: dict[str, str] = {
     "proof.work": "功与能",
     "proof.work.text": "运行全程中，驱动、载荷与阻尼器所做的功等于动能、势能与弹性能的变化量（残差与各项绝对值之和之比）。",
     "proof.mobility": "自由度",
+    "proof.mobility.redundant": "{gruebler}，另有冗余约束 {redundant} 个",
     "proof.mobility.text": "由约束的秩（{rank}）得到的自由度；按 Grübler 公式计算为 {gruebler}。",
     "proof.nearest": "奇异裕度",
     "proof.nearest.text": "最小奇异裕度（1 为最佳，0 为死点或变点）：杆组 {group}，t = {time}。",

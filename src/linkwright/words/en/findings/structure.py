@@ -47,16 +47,46 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "Over-constrained links: {links} (constraints too many: {excess}).",
         "Remove a joint or a drive, or add the link that is missing between two pins.",
     ),
-    "structure.redundant-movable": (
-        "{part} is redundant: with these dimensions the mechanism can still move (rank {rank} of {constraints} "
-        "constraints, Gruebler's formula {gruebler}, mobility {mobility}), but its share of the forces is "
-        "undetermined.",
-        "Remove {part} from the model: the motion stays the same. The forces that it carries depend on clearance and "
-        "stiffness.",
+    "structure.redundant-joints": (
+        "The mechanism is redundant: constraints of {joints} follow from those of the other joints (rank {rank} of "
+        "{constraints} constraints, Gruebler's formula {gruebler}, mobility {mobility}). With exactly these dimensions "
+        "it moves all the same; the motion and the drive efforts don't depend on {joints}. {reactions}",
+        "No change is needed. In the real mechanism, deviations of the dimensions must be taken up by clearance or "
+        "elasticity.",
+    ),
+    "structure.redundant-study": (
+        "{name} can't be computed for a redundant mechanism: constraints of {joints} follow from those of the other "
+        "joints.",
+        "Remove {joints} from a copy of the model: the motion and the drive efforts stay the same.",
     ),
     "structure.nearly-redundant": (
-        "{part} could move along as a redundant part, but the closure error of its joints reaches {miss} {unit}.",
-        "Correct its dimensions, or remove it from the model.",
+        "{joint} could be a redundant joint, but with these dimensions its closure error reaches {miss} {unit}: the "
+        "mechanism binds where clearance and elasticity there give way by less than that.",
+        "Correct the dimensions so that the joint closes in every position, or remove it from the model.",
+    ),
+    "stiffness.value": (
+        "The stiffness isn't clear: exactly one of value and equal is needed.",
+        "Write one of these: 50 kN/mm, or equal.",
+    ),
+    "stiffness.mixed": (
+        "The stiffness of {name} is 'equal', but that of others is a number: how they compare isn't known.",
+        "Give every stiffness as a number, or all of them as equal.",
+    ),
+    "stiffness.not-enough": (
+        "The stiffness given doesn't determine how redundant joints share the load. Still undetermined: {joints}.",
+        "Give the stiffness of these joints too, and that of slides in tilting, or write stiffness: equal.",
+    ),
+    "stiffness.undetermined": (
+        "{signal} isn't determined by statics, since the mechanism is redundant: redundant joints share the load "
+        "according to their stiffness.",
+        "Give the stiffness of the joints (stiffness: equal assumes that all are equally stiff), or use a sum that is "
+        "determined: the warning on the redundant joints lists some.",
+    ),
+    "stiffness.friction": (
+        "The friction of {name} depends on a reaction of {joint} that statics doesn't determine, since the mechanism "
+        "is redundant.",
+        "Give the stiffness of the joints (stiffness: equal assumes that all are equally stiff), or remove this "
+        "friction.",
     ),
     "structure.moments-indeterminate": (
         "The slides {joints} constrain each other's direction: their forces are determined, but their moments "

@@ -54,6 +54,14 @@ TERMS: dict[str, str] = {
     "kind-rolling": "rolling contact",
     "kind-belt": "belt or chain",
     "kind-differential": "differential",
+    "redundant-sums": "Statics alone doesn't determine the reactions at {joints}; it does determine {sums}. "
+    "With stiffness the others are computed too.",
+    "redundant-open": "Statics alone doesn't determine the reactions at {joints}; with stiffness they are computed.",
+    "redundant-determined": "All reactions are determined.",
+    "redundant-equal": "Assumption: all joints with stiffness: equal are equally stiff, all links are rigid; redundant "
+    "joints share the load accordingly.",
+    "redundant-shared": "Redundant joints share the load according to the stiffness given; everything else is rigid.",
+    "a-elastic": "a pin, a joint or a link",
     "kind-prescribed_angle": "angle of two links that share no pin",
     "kind-prescribed_place": "position of a point along a line",
     "pitch": "pitch",

@@ -42,14 +42,39 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "过约束的构件：{links}（多余约束数：{excess}）。",
         "删除一个运动副或驱动，或添加两个铰链之间缺少的构件。",
     ),
-    "structure.redundant-movable": (
-        "{part} 是冗余的（虚约束）：在现有尺寸下，机构仍能运动（{constraints} 个约束的秩为 {rank}，按 Grübler 公式自由度为 {gruebler}，实际自由度为 "
-        "{mobility}），但它所分担的力无法确定。",
-        "从模型中删除 {part}：运动不变。它所承受的力取决于间隙和刚度。",
+    "structure.redundant-joints": (
+        "机构存在冗余约束：{joints} 的约束可由其余运动副导出（约束 {constraints} 个，秩 {rank}，"
+        "自由度公式计算值 {gruebler}，实际自由度 {mobility}）。尺寸严格如此时机构仍可运动，运动和驱动力（矩）与 {joints} "
+        "无关。{reactions}",
+        "无需修改。实际机构中，尺寸偏差须由间隙或弹性变形补偿。",
+    ),
+    "structure.redundant-study": (
+        "含冗余约束的机构不能进行 {name}：{joints} 的约束可由其余运动副导出。",
+        "在模型的副本中删除 {joints}：运动和驱动力（矩）不变。",
     ),
     "structure.nearly-redundant": (
-        "{part} 近似冗余（虚约束），几乎可随机构一起运动，但其运动副的封闭误差达 {miss} {unit}。",
-        "改正其尺寸，或将其从模型中删除。",
+        "{joint} 可作为冗余运动副，但按现有尺寸其封闭误差达 {miss} {unit}：间隙和弹性变形若不能容纳该误差，机构将卡死。",
+        "修正尺寸，使该运动副在所有位置都能封闭；或将其从模型中删除。",
+    ),
+    "stiffness.value": (
+        "刚度不明确：value 与 equal 必须且只能给出一个。",
+        "写成其中一种：50 kN/mm，或 equal。",
+    ),
+    "stiffness.mixed": (
+        "{name} 的刚度为 equal，而其余刚度为数值：无法比较二者的大小。",
+        "所有刚度都给出数值，或都写 equal。",
+    ),
+    "stiffness.not-enough": (
+        "给出的刚度不足以确定冗余运动副如何分担载荷。仍不能确定：{joints}。",
+        "补充这些运动副的刚度以及移动副的倾转刚度，或写 stiffness: equal。",
+    ),
+    "stiffness.undetermined": (
+        "{signal} 不能由静力学确定：机构存在冗余约束，各冗余运动副按刚度分担载荷。",
+        "给出运动副的刚度（stiffness: equal 表示假定各处刚度相等），或改用可以确定的和：冗余运动副的警告中列有若干。",
+    ),
+    "stiffness.friction": (
+        "{name} 的摩擦取决于 {joint} 的约束反力，而机构存在冗余约束，该反力不能由静力学确定。",
+        "给出运动副的刚度（stiffness: equal 表示假定各处刚度相等），或删除该摩擦。",
     ),
     "structure.moments-indeterminate": (
         "移动副 {joints} 的方向相互约束：其约束反力可以确定，但力矩无法确定，因此不给出其力矩和力臂。",
