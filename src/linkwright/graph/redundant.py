@@ -46,6 +46,10 @@ FAR = 0.1
 """The most by which closing the joints may move a pose (rad, or over the size)."""
 POSES, TURN, SHIFT = 12, 0.6, 0.2
 """The poses looked at along the motion; how far the drives go on it (rad, or lengths over the size)."""
+FULL_TURN_POSES, HALVINGS = 25, 3
+"""The poses looked at along a full turn of a drive; how often the step between two is halved."""
+SOUND = 0.03
+"""The least share of the clearest force in the states of self-stress, over a full turn, that is clear of zero."""
 LONGEST = 1e4
 """The longest time (s) in which drives are waited for to go as far as that."""
 EXCESS = ("structure.overconstrained", "structure.redundant")
@@ -113,6 +117,8 @@ def _agreement(quantities: Quantities, structure: Structure, values: Values) -> 
     z, miss = close_joints(system, near)
     if not miss < NEARLY or np.abs(system.pose_difference(z, near)).max() > FAR:
         return None  # joints that miss, or that close in another assembly mode only
+    if miss < HOLDS and (over_turn := _over_full_turn(quantities, system, z, values)) is not None:
+        return over_turn
     # The states of self-stress at the start alone, then along the motion that the first choice leaves.
     for order in range(3):
         spare = SpareEquations(system, [z])
@@ -127,10 +133,90 @@ def _agreement(quantities: Quantities, structure: Structure, values: Values) -> 
         if (found := _chosen(quantities, along, order)) is None:
             continue
         chosen, reduced = found
-        misses = _misses(system, chosen, poses, values)
-        drawn = _drawn(system, poses[0][1])
-        return Agreement(replace(reduced, drawn=drawn), chosen, misses, poses, along)
+        return _agreeing(reduced, chosen, poses, along, values)
     return None
+
+
+def _agreeing(
+    reduced: Structure,
+    chosen: list[Candidate],
+    poses: list[tuple[float, Array]],
+    spare: SpareEquations,
+    values: Values,
+) -> Agreement:
+    misses = _misses(spare.system, chosen, poses, values)
+    made = replace(reduced, drawn=_drawn(spare.system, poses[0][1]), spare_joints=_joints_of(chosen))
+    return Agreement(made, chosen, misses, poses, spare)
+
+
+def _over_full_turn(quantities: Quantities, system: Constraints, z: Array, values: Values) -> Agreement | None:
+    """What may be left out so that the rest stays away from singular poses over a full turn of the drives, or as far as
+    they go; ``None`` where nothing does."""
+    poses = _followed(system, z, values)
+    system.set_drive_values(values(0.0))
+    if len(poses) < POSES:
+        return None
+    spare = SpareEquations(system, [pose for _, pose in poses], SOUND)
+    for order in range(3):
+        found = _chosen(quantities, spare, order)
+        if found is not None and spare.clear_of_zero(found[0]):
+            agreement = _agreeing(found[1], found[0], poses, spare, values)
+            agreement.structure = replace(agreement.structure, spare_joints=_named(quantities, system, poses, found[0]))
+            return agreement
+    return None
+
+
+def _named(
+    quantities: Quantities, system: Constraints, poses: list[tuple[float, Array]], chosen: list[Candidate]
+) -> tuple[str, ...]:
+    """The joints to be named as spare: those that may be taken off near the start, even where the equations left out
+    over a full turn are of others."""
+    near = SpareEquations(system, [pose for _, pose in poses[:3]])
+    preferred = _chosen(quantities, near, 0)
+    return _joints_of(chosen if preferred is None else preferred[0])
+
+
+def _joints_of(chosen: list[Candidate]) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(one.release.joint for one in chosen))
+
+
+def _followed(system: Constraints, z: Array, values: Values) -> list[tuple[float, Array]]:
+    """Poses along the motion at which all joints hold, with their times, by Gauss-Newton on all equations: these have
+    full rank where the equations that are kept may not."""
+    span = _span(system, values, 2 * math.pi)
+    times = np.linspace(0.0, span, FULL_TURN_POSES)
+    found = [(0.0, z)]
+    for time in times[1:]:
+        begun, (last, z) = len(found), found[-1]
+        for halving in range(HALVINGS + 1):
+            between = np.linspace(last, float(time), 2**halving + 1)[1:]
+            pose: Array | None = z
+            for t in between:
+                pose = None if pose is None else _held(system, pose, float(t), values)
+            if pose is not None:
+                found.append((float(time), pose))
+                break
+        if len(found) == begun:
+            break
+    return found
+
+
+def _held(system: Constraints, z: Array, time: float, values: Values) -> Array | None:
+    """The pose nearby at which all joints hold at a time; ``None`` where Gauss-Newton doesn't shrink its steps."""
+    try:
+        system.set_drive_values(values(time))
+    except ModelError:  # past the end of a table
+        return None
+    before = math.inf
+    for _ in range(12):
+        step = np.linalg.lstsq(system.jacobian(z), system.residual(z), rcond=1e-9)[0]
+        size = float(np.abs(step).max(initial=0.0))
+        if not size < min(0.6, max(0.4 * before, 1e-9)):
+            return None
+        z, before = z - step, size
+        if size < 1e-13:
+            break
+    return z if float(np.abs(system.residual(z)).max(initial=0.0)) < HOLDS and not system.opposed(z) else None
 
 
 def _chosen(quantities: Quantities, spare: SpareEquations, order: int) -> tuple[list[Candidate], Structure] | None:
@@ -293,11 +379,11 @@ def _closed(system: Constraints, chosen: list[Candidate], z: Array) -> Array | N
     return z if np.abs(kept_rows(system, z, chosen) @ system.residual(z)).max(initial=0.0) < 1e-12 else None
 
 
-def _span(system: Constraints, values: Values) -> float:
+def _span(system: Constraints, values: Values, turn: float = TURN) -> float:
     """The time (s) in which some drive goes as far as is looked at, or as far as it goes at all."""
     start = values(0.0)
     units = {
-        name: TURN if system.topology.mechanism.prescribed(name).turns is not None else SHIFT * system.size
+        name: turn if system.topology.mechanism.prescribed(name).turns is not None else SHIFT * system.size
         for name in start
     }
     farthest, best, time = 0.0, 0.0, 1e-4
@@ -342,7 +428,7 @@ def _spared(found: Agreement, left: Undetermined) -> Finding:
     """The warning that names what is redundant, and which reactions that leaves undetermined."""
     system, topology = found.spare.system, found.structure.topology
     rank = len(system.names) - found.spare.states
-    names = list(dict.fromkeys(one.release.joint for one in found.chosen))
+    names = list(found.structure.spare_joints)
     data: dict[str, Any] = {"joints": Joined(names), "states": found.spare.states, "rank": rank}
     mobility = system.width - rank - len(topology.mechanism.followers)
     data |= {"constraints": len(system.names), "gruebler": topology.gruebler, "mobility": mobility}

@@ -61,10 +61,11 @@ class Candidate:
 
 
 class SpareEquations:
-    """The candidates of a whole mechanism's ``system``, whose drives are held, at some poses of it."""
+    """The candidates of a whole mechanism's ``system``, whose drives are held, at some poses; what is left out has
+    forces of at least ``least`` in the states of self-stress there."""
 
-    def __init__(self, system: Constraints, poses: Sequence[Array]) -> None:
-        self.system, self.poses = system, list(poses)
+    def __init__(self, system: Constraints, poses: Sequence[Array], least: float = NOTHING) -> None:
+        self.system, self.poses, self.least = system, list(poses), least
         self.topology, self.geometry = system.topology, system.geometry
 
     @cached_property
@@ -80,7 +81,7 @@ class SpareEquations:
     @property
     def states(self) -> int:
         """The least number of states at a pose: at special ones there may be more."""
-        return min(stress.shape[1] for stress in self.stresses)
+        return min(int(stress.shape[1]) for stress in self.stresses)
 
     @property
     def on_drives(self) -> float:
@@ -103,7 +104,7 @@ class SpareEquations:
         while sum(one.count for one in chosen) < self.states:
             clear = [min((_least(part) for part in of), default=0.0) for of in forces]
             best = max(clear, default=0.0)
-            if best < NOTHING:
+            if best < self.least:
                 return None
             i = next(i for i, share in enumerate(clear) if share >= CLEAR * best)
             chosen.append(candidates[i])
@@ -117,6 +118,16 @@ class SpareEquations:
                 if any((one.release.joint, link) in taken for link in one.release.links[1:]):
                     of[:] = [np.zeros_like(part) for part in of]
         return chosen
+
+    def clear_of_zero(self, chosen: Sequence[Candidate]) -> bool:
+        """Whether the forces in the equations left out tell the states apart between the poses too: the determinant of
+        the Jacobian beside these equations, which is zero with them, keeps its sign."""
+        signs = set()
+        for z in self.poses:
+            left_out = np.concatenate([one.weights(self.system, z) for one in chosen])
+            matrix = np.concatenate([self.system.jacobian(z), left_out.T], axis=1)
+            signs.add(float(np.linalg.slogdet(matrix)[0]))
+        return len(signs) == 1
 
     # Candidates.
 

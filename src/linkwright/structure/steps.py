@@ -252,6 +252,8 @@ class Structure:
     findings: tuple[Finding, ...] = ()
     releases: tuple[Release, ...] = ()
     """Equations of joints that no step keeps, as they follow from all others; the topology has them."""
+    spare_joints: tuple[str, ...] = ()
+    """The joints that are named as redundant."""
     self_stress: SelfStress = field(default_factory=SelfStress, compare=False)
     """What neither statics nor stiffness determines."""
     drawn: Mapping[str, Pose] | None = field(default=None, compare=False)

@@ -10,5 +10,5 @@ def refused_redundant(structure: Structure, owner: object, path: tuple[str, str]
     """That a study or export, at its ``path``, can't be had of a redundant mechanism."""
     if not structure.releases or getattr(owner, "redundant", False):
         return []
-    joints = Joined(dict.fromkeys(one.joint for one in structure.releases))
+    joints = Joined(structure.spare_joints)
     return [Finding("structure.redundant-study", path, {"name": path[1], "joints": joints})]

@@ -61,7 +61,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "structure.nearly-redundant": (
         "{joint} could be a redundant joint, but with these dimensions its closure error reaches {miss} {unit}: the "
-        "mechanism binds where clearance and elasticity there give way by less than that.",
+        "mechanism binds unless clearance and elasticity there take up at least that much.",
         "Correct the dimensions so that the joint closes in every position, or remove it from the model.",
     ),
     "stiffness.value": (

@@ -43,7 +43,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "删除一个运动副或驱动，或添加两个铰链之间缺少的构件。",
     ),
     "structure.redundant-joints": (
-        "机构存在冗余约束：{joints} 的约束可由其余运动副导出（约束 {constraints} 个，秩 {rank}，"
+        "机构存在冗余约束（虚约束）：{joints} 的约束可由其余运动副导出（约束 {constraints} 个，秩 {rank}，"
         "自由度公式计算值 {gruebler}，实际自由度 {mobility}）。尺寸严格如此时机构仍可运动，运动和驱动力（矩）与 {joints} "
         "无关。{reactions}",
         "无需修改。实际机构中，尺寸偏差须由间隙或弹性变形补偿。",
