@@ -72,7 +72,7 @@ def faults(s: Sketch, c: Compiled) -> str:
 
 def lie(monkeypatch: pytest.MonkeyPatch, wrong: Callable[[Named, Array, Array], Array]) -> None:
     """From now on the values of each row are reported as ``wrong`` makes them of name, times and values."""
-    honest = Compiled.evaluate
+    honest = Compiled.possible_rows
 
     def evaluate(c: Compiled, names: Any, t: Array, rates: bool = False) -> Array:
         y = honest(c, names, t, rates)
@@ -81,7 +81,7 @@ def lie(monkeypatch: pytest.MonkeyPatch, wrong: Callable[[Named, Array, Array], 
             values[:] = wrong(name, t, values.copy())
         return y
 
-    monkeypatch.setattr(Compiled, "evaluate", evaluate)
+    monkeypatch.setattr(Compiled, "possible_rows", evaluate)
 
 
 def test_nothing_is_wrong_with_a_four_bar() -> None:

@@ -296,3 +296,12 @@ def test_studies_that_dont_take_them_are_refused_by_name() -> None:
     with pytest.raises(lw.ModelError) as error:
         lw.modes(Document.model_validate(parallelogram(3)))
     assert [f.code for f in error.value.findings] == ["structure.redundant-study"]
+
+
+def test_undetermined_reactions_have_no_values_in_python() -> None:
+    """Neither of a run nor of a compiled mechanism, with or without rates; others beside them do."""
+    compiled, _ = examined(data_of(SCISSOR))
+    run, names = Run(compiled, 0.0, 1.0, 10), ["guide.force", "force(dn, platform).x", "top.force", "ram.force"]
+    for rows in (compiled.evaluate(names, T), run.evaluate(names, T), *compiled.rates(names, T), *run.rates(names, T)):
+        assert np.isnan(rows[:2]).all()
+        assert np.isfinite(rows[2:]).all()

@@ -135,14 +135,14 @@ def test_extremes_at_both_sides_of_a_seam() -> None:
 def test_many_turns_cost_in_proportion(monkeypatch: pytest.MonkeyPatch) -> None:
     """Twice the turns, about twice the poses computed."""
     poses = {100: 0, 200: 0}
-    real = lw.Compiled.evaluate
+    real = lw.Compiled.possible_rows
     for turns in poses:
 
         def counted(self: Any, names: Any, t: Any, *more: Any, turns: int = turns, **options: Any) -> Any:
             poses[turns] += t.size
             return real(self, names, t, *more, **options)
 
-        monkeypatch.setattr(lw.Compiled, "evaluate", counted)
+        monkeypatch.setattr(lw.Compiled, "possible_rows", counted)
         value({**turning(turns), "windows": {"w": {"motor.angle": [90, 91]}}}, mean="B.x", window="w")
     assert poses[200] < 2.5 * poses[100]
 

@@ -115,8 +115,23 @@ class Compiled:
         """Signals by name, or other rows, at times ``t``: (rows, poses) in SI, or (rows, 2, poses) with their rates.
 
         Angles of links come out in -pi..pi where the graph doesn't know them exactly; see
-        :class:`linkwright.results.Run` for continuous ones.
+        :class:`linkwright.results.Run` for continuous ones. NaN are reactions that a redundant mechanism leaves
+        undetermined.
         """
+        y = self.possible_rows(names, t, rates)
+        y[self.undetermined(names)] = np.nan
+        return y
+
+    def undetermined(self, names: Sequence[Named]) -> list[int]:
+        """Which of some rows are reactions that a redundant mechanism leaves undetermined."""
+        signals = self.quantities.signals
+        if not signals.undetermined:
+            return []
+        named = ((i, name) for i, name in enumerate(names) if isinstance(name, str))
+        return [i for i, name in named if signals.is_undetermined(self.graph.signal(name))]
+
+    def possible_rows(self, names: Sequence[Named], t: Array, rates: bool = False) -> Array:
+        """Such rows; undetermined reactions with the values of one of the states that statics allows."""
         y = self.closed_form_rows(names, t, rates)
         for passage in self.passages.every:
             inside = passage.inside(t)

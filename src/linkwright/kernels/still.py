@@ -49,11 +49,11 @@ class Still(Compiled):
         rows = KERNELS["numpy"](program).run(self.inputs(t), self.parameters)[:, 0].reshape(-1, 3)
         return Statics(self.system, self.z, dict(zip((FRAME, *self.system.links), rows, strict=True)))
 
-    def evaluate(self, names: Sequence[Named], t: Array, rates: bool = False) -> Array:
+    def possible_rows(self, names: Sequence[Named], t: Array, rates: bool = False) -> Array:
         """The named rows at times ``t`` (s); NaN are those that depend on reactions, which :meth:`statics` gives."""
         still = [name for name in names if not self.standing.of_reactions(name)]
         y = np.full((len(names), 2 if rates else 1, t.size), np.nan)
         if still:
-            known = super().evaluate(still, t, rates)
+            known = super().possible_rows(still, t, rates)
             y[[name in still for name in names]] = known.reshape(len(still), -1, t.size)
         return y if rates else y[:, 0]

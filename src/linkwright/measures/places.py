@@ -212,7 +212,7 @@ def vague(run: Run, trees: Sequence[Node], t: Array) -> list[bool]:
     names = run.signals_of(trees)
     if not names:
         return [False] * len(trees)
-    values, slopes = run.rates(names, t)
+    values, slopes = run.possible_rates(names, t)
     sizes = np.array(run.usual(run.dimension(name) for name in names))[:, None]
     found = []
     with np.errstate(all="ignore"):

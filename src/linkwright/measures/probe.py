@@ -66,7 +66,7 @@ class Search:
         if key not in self._rows:
             if len(self._rows) >= KEPT:
                 self._rows.clear()
-            rates = zip(*self.run.rates(self.signals, t), strict=True) if self.signals else ()
+            rates = zip(*self.run.possible_rates(self.signals, t), strict=True) if self.signals else ()
             self._rows[key] = dict(zip(self.signals, rates, strict=True))
         return self._rows[key]
 
@@ -110,7 +110,7 @@ class Search:
             t = passage.compared
             t = t[(t >= run.start) & (t <= run.stop)]
             closed = run.compiled.closed_form_rows(names, t, rates=True).reshape(len(names), 2, t.size)
-            limits = run.rates(names, t)
+            limits = run.possible_rates(names, t)
             for row, name in enumerate(names):
                 if run.compiled.graph.wrapped(name):
                     closed[row, 0] += 2 * np.pi * whole_turns(closed[row, 0], limits[0][row])

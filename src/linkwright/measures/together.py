@@ -110,5 +110,5 @@ def _panels(probe: Probe) -> tuple[Array, Array]:
 def _values(run: Run, nodes: Sequence[Node], t: Array) -> Array:
     """Expressions at times: (nodes, times)."""
     names = run.signals_of(nodes)
-    rows = {name: [row] for name, row in zip(names, run.evaluate(names, t), strict=True)}
+    rows = {name: [row] for name, row in zip(names, run.possible_rows(names, t), strict=True)}
     return np.array([combined(run.compiled, node, t, rows, 0).d[0] for node in nodes])

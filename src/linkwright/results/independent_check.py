@@ -38,7 +38,7 @@ class Reports:
         self.contacts, self.looped = compiled.quantities.signals.contacts, compiled.quantities.signals.looped
         self.every = [*self.mechanism.acting()]
         self.names = self._names()
-        self.rows: dict[Named, Array] = dict(zip(self.names, compiled.evaluate(self.names, t), strict=True))
+        self.rows: dict[Named, Array] = dict(zip(self.names, compiled.possible_rows(self.names, t), strict=True))
 
     def _names(self) -> list[Named]:
         moving, movers = self.topology.moving, self.mechanism.movers

@@ -111,18 +111,34 @@ class Run:
         return any(not signal.kinematic or signal.dimension.time < -1 for signal in signals)
 
     def evaluate(self, names: Sequence[str], t: Array) -> Array:
-        """The named signals at times ``t`` (s): (names, times), SI, angles continuous over the run."""
+        """The named signals at times ``t`` (s): (names, times), SI, angles continuous over the run; NaN are reactions
+        that a redundant mechanism leaves undetermined."""
+        y = self.possible_rows(names, t)
+        y[self.compiled.undetermined(names)] = np.nan
+        return y
+
+    def possible_rows(self, names: Sequence[str], t: Array) -> Array:
+        """The same; undetermined reactions with the values of one of the states that statics allows, from which
+        determined sums come out."""
         self._begin(names)
-        y = self.compiled.evaluate(names, t)
+        y = self.compiled.possible_rows(names, t)
         for i, name in enumerate(names):
             if self.compiled.graph.wrapped(name):
                 y[i] = self._continuous(name, t, y[i])
         return y
 
     def rates(self, names: Sequence[str], t: Array) -> tuple[Array, Array]:
-        """The named signals and their exact time derivatives at times ``t``."""
+        """The named signals and their exact time derivatives at times ``t``; NaN as in :meth:`evaluate`."""
+        values, slopes = self.possible_rates(names, t)
+        undetermined = self.compiled.undetermined(names)
+        values[undetermined] = slopes[undetermined] = np.nan
+        return values, slopes
+
+    def possible_rates(self, names: Sequence[str], t: Array) -> tuple[Array, Array]:
+        """The same, of undetermined reactions as :meth:`possible_rows`."""
         self._begin(names)
-        values, slopes = self.compiled.rates(names, t)
+        rows = self.compiled.possible_rows(names, t, rates=True)
+        values, slopes = rows[:, 0], rows[:, 1]
         for i, name in enumerate(names):
             if self.compiled.graph.wrapped(name):
                 values[i] = self._continuous(name, t, values[i])
@@ -131,13 +147,13 @@ class Run:
     def jets(self, node: Node, t: Array) -> Jet:
         """An expression of signals with its first time derivative, at times ``t``. The tree is bound to SI."""
         signals = self.signals_of([node])
-        values, slopes = self.rates(signals, t) if signals else (np.empty((0, t.size)),) * 2
+        values, slopes = self.possible_rates(signals, t) if signals else (np.empty((0, t.size)),) * 2
         return self.combine(node, t, dict(zip(signals, zip(values, slopes, strict=True), strict=True)))
 
     def all_rates(self, trees: Sequence[Node], t: Array) -> tuple[Array, Array]:
         """Several such expressions and their rates: (trees, times) each."""
         names = self.signals_of(trees)
-        rows = dict(zip(names, zip(*self.rates(names, t), strict=True), strict=True))
+        rows = dict(zip(names, zip(*self.possible_rates(names, t), strict=True), strict=True))
         jets = [self.combine(tree, t, rows) for tree in trees]
         return np.array([jet.d[0] for jet in jets]), np.array([jet.d[1] for jet in jets])
 

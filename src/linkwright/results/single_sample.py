@@ -28,7 +28,7 @@ class _Sample(Compiled):
             self.motions = {name: law.at_parameters(own) for name, law in self.motions.items()}  # type: ignore[misc]
         self.varied, self.parameters, self.kernel = varied, p, kernel
 
-    def evaluate(self, names: Sequence[Named], t: Array, rates: bool = False) -> Array:
+    def possible_rows(self, names: Sequence[Named], t: Array, rates: bool = False) -> Array:
         """The named rows at times ``t``, as :class:`Varied` gives them."""
         shape = (len(names), 2, t.size) if rates else (len(names), t.size)
         return self.varied.signals_at(names, self.parameters[:, None], t[None], rates, self.kernel).reshape(shape)
