@@ -17,6 +17,6 @@ SAID_OF_STRUCTURES = ("structure.moments-indeterminate", "structure.redundant-jo
 
 @pytest.mark.parametrize("path", [*EXAMPLES, *MODELS], ids=lambda path: path.stem)
 def test_nothing_is_noted(path: Path) -> None:
-    """A loop of slides has moments that statics doesn't determine, and a redundant mechanism says what it assumes: their
-    own warnings."""
+    """A loop of slides has moments that statics doesn't determine, and a redundant mechanism says what it assumes:
+    their own warnings."""
     assert [finding for finding in lw.check(path) if finding.code not in SAID_OF_STRUCTURES] == []
