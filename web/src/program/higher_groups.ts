@@ -1,13 +1,17 @@
 // The coordinates of groups beyond the dyads, by continuation: from the nominal start pose in the parameters, then in
 // time. A step predicts by the closures' slopes, Newton corrects, and it is accepted only where the correction is
-// small, forward and backward; else it is halved. So no pose jumps to another assembly mode. The rule is that of
-// linkwright/kernels/continuation_batch.py.
+// small, forward and backward, and where the pose that is reached is certified; else it is halved. So no pose jumps to
+// another assembly mode. The rules are those of linkwright/kernels/continuation_batch.py and step_certificate.py: the
+// determinant of the slopes keeps its sign between poses in which modes meet, and Newton has one root near by where the
+// slopes change little, relative to themselves, on its way there.
 
 import type { HigherGroup, Program } from "./data.ts";
 import { solve } from "./linear.ts";
 
 const [SOLVED, ACCEPTED, MOST_STEPS] = [1e-14, 1e-10, 30];
 const [CLOSE, STRIDE] = [1e-2, 0.5];
+/** The most by which slopes may change on the way of Newton; a way shorter than this needs no look. */
+const [BENT, SURE] = [0.25, 1e-7];
 
 /** Steps shorter than this share of the way have met a singular pose. */
 export const PATIENCE = 1e-9;
@@ -48,11 +52,34 @@ class Closure {
   /** How far a step goes: the largest over the coordinates' scales, or over how far out a slide is. */
   largest(step: ArrayLike<number>, u: ArrayLike<number>): number {
     let far = 0;
-    this.group.scale.forEach((scale, i) => {
-      const part = Math.abs(step[i]!) / (this.group.slides[i] ? Math.max(scale, Math.abs(u[i]!)) : scale);
+    this.group.scale.forEach((_, i) => {
+      const part = Math.abs(step[i]!) / this.size(u, i);
       far = Number.isNaN(part) || Number.isNaN(far) ? NaN : Math.max(far, part);
     });
     return far;
+  }
+
+  /** What a step of a coordinate is measured by. */
+  private size(u: ArrayLike<number>, i: number): number {
+    const scale = this.group.scale[i]!;
+    return this.group.slides[i] ? Math.max(scale, Math.abs(u[i]!)) : scale;
+  }
+
+  /** How much slopes change from foretold coordinates to those that Newton gives, relative to those foretold. */
+  bending(foretold: Float64Array, solved: Float64Array, u: ArrayLike<number>): number {
+    const { n } = this;
+    const sums = new Float64Array(n);
+    for (let j = 0; j < n; j++) {
+      const change = Float64Array.from(sums, (_, i) => solved[i * n + j]! - foretold[i * n + j]!);
+      solve(foretold.slice(), change);
+      change.forEach((part, i) => (sums[i]! += Math.abs(part * this.size(u, j)) / this.size(u, i)));
+    }
+    return Math.max(...sums);
+  }
+
+  /** The sign of the determinant of slopes. */
+  mode(slopes: Float64Array): number {
+    return solve(slopes.slice(), new Float64Array(this.n));
   }
 
   /** Newton from the coordinates that stand in `x`, which it replaces; NaN where it doesn't get there. */
@@ -93,6 +120,8 @@ export class HigherGroups {
   /** Of each group: its coordinates, and its closure's slopes there. */
   private u: Float64Array[] = [];
   private slopes: Float64Array[] = [];
+  /** The signs of the slopes' determinants at the nominal start: the assembly modes. */
+  private modes: number[] = [];
   private now = 0;
 
   constructor(groups: readonly HigherGroup[], programs: readonly Program[], inputs: number) {
@@ -109,6 +138,7 @@ export class HigherGroups {
     this.u = this.closures.map((closure) => Float64Array.from(closure.group.start));
     this.now = 0;
     this.look(place);
+    this.modes = this.closures.map((closure, k) => closure.mode(this.slopes[k]!));
     return this.advance(place, 1, PATIENCE);
   }
 
@@ -174,17 +204,22 @@ export class HigherGroups {
       const ahead = closure.stepOf(this.slopes[k]!, missed);
       const guess = u.map((value, i) => value - ahead[i]!);
       closure.put(guess, this.x);
+      closure.evaluate(this.x);
+      const foretold = closure.slopes;
       closure.newton(this.x);
       const here = closure.coordinates(this.x);
       closure.evaluate(this.x);
       const ending = closure.slopes;
       const behind = closure.stepOf(ending, missed);
+      const corrected = closure.largest(here.map((value, i) => value - guess[i]!), here);
       const off = Math.max(
-        closure.largest(here.map((value, i) => value - guess[i]!), here),
+        corrected,
         closure.largest(here.map((value, i) => value + behind[i]! - u[i]!), here),
       );
       const moved = closure.largest(here.map((value, i) => value - u[i]!), here);
       worst = Math.max(worst, off / CLOSE, moved / STRIDE);
+      const bent = corrected < SURE ? 0 : closure.bending(foretold, ending, here);
+      if (closure.mode(ending) !== this.modes[k] || !(bent < BENT)) worst = NaN;
       found.push(here);
       ends.push(ending);
     }
