@@ -17,6 +17,7 @@ from linkwright.measures import sampled_times
 from linkwright.model.document import Document, dump
 from linkwright.model.origin import Origin, hashed
 from linkwright.model.yaml_text import Source, read_text
+from linkwright.presentation.blocks import Section
 from linkwright.presentation.json_numbers import listed
 from linkwright.presentation.lettering import without_hanzi_spaces
 from linkwright.report.arrows import arrow_data, arrows, force_name
@@ -26,6 +27,7 @@ from linkwright.report.data import (
     Failure,
     JointData,
     LinkData,
+    LiveData,
     Plot,
     Pose,
     ReportData,
@@ -44,6 +46,7 @@ from linkwright.report.structure_summary import facts
 from linkwright.report.summary import drawn, found
 from linkwright.results import Result
 from linkwright.structure import FRAME
+from linkwright.studies.cycle.report import untaken
 from linkwright.studies.drive_sweep import Sweep
 from linkwright.studies.registry import Outcomes
 
@@ -95,7 +98,7 @@ def report_data(
         "plots": curves,
         "first": first_plots(curves, result),
         "live": live,
-        "sections": [section for one in shown for section in one.sections],
+        "sections": [*_untaken(result, live), *(section for one in shown for section in one.sections)],
         "structure": facts(result.run.compiled),
         "failures": [_failure(finding) for finding in findings if finding.severity != "note"],
         "notes": [_failure(finding) for finding in findings if finding.severity == "note"],
@@ -104,6 +107,13 @@ def report_data(
     if areas := [area for one in shown for area in one.areas]:
         data["scene"]["areas"] = [{"name": area.name, "rings": area.rings} for area in areas]
     return data
+
+
+def _untaken(result: Result, live: LiveData | None) -> list[Section]:
+    """The measures of a motion that can't be followed, for a page that may be brought to one that can."""
+    if not (live and live["measures"] and result.failures and result.certificate is None):
+        return []
+    return [Section("measures", [untaken(result.run.compiled.quantities)])]
 
 
 def title_block(document: Document, origin: Origin) -> list[Fact]:

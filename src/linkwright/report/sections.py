@@ -21,7 +21,8 @@ def header(data: ReportData) -> str:
     checks = [check.ok for check in checks_of(data)]
     badges = []
     if data["failures"]:
-        badges.append(mark(False, say("report.summary_failures", count=len(data["failures"]))))
+        text = say("report.summary_failures", count=len(data["failures"]))
+        badges.append(f'<a id="problems" href="#failures">{mark(False, text)}</a>')
     if required:
         text = say("report.summary_requirements", met=sum(required), total=len(required))
         badges.append(f'<span id="requirements">{mark(all(required), text)}</span>')

@@ -31,7 +31,9 @@ export function measured(live: LiveModel, say: Say, time: Pick<TimeAxis, "unit">
     const line = Array.from(lines).find((each) => each.querySelector("b")?.textContent === measure.name);
     if (!line) return [];
     const cells = Array.from(line.cells, (cell) => ({ cell, as: cell.innerHTML }));
-    return [{ measure, number, line, cells, before: figuresOf(live, number, live.original) ?? {} }];
+    // A file whose motion has a gap has no values that others could be compared with.
+    const before = live.original.failure ? {} : (figuresOf(live, number, live.original) ?? {});
+    return [{ measure, number, line, cells, before }];
   });
   const badge = document.querySelector<HTMLElement>("#requirements");
   const badgeAs = badge?.innerHTML ?? "";

@@ -8,7 +8,8 @@ from typing import Any
 
 from linkwright.expressions.units import TIME
 from linkwright.findings import Joined, Said
-from linkwright.measures import MeasureResult
+from linkwright.measures import BoundMeasure, MeasureResult, bound_measures
+from linkwright.model.quantities import Quantities
 from linkwright.presentation.blocks import Checks, Measure, Measures, MeasureValue, Section, StudyReport, Table, table
 from linkwright.presentation.cells import Cell, NumberCell, Unit
 from linkwright.reductions import Grade
@@ -82,6 +83,21 @@ def measure(m: MeasureResult, second: float, time_unit: str) -> Measure:
         for f in m.found
     ]
     return Measure(m.name, m.measure.description, values, m.unit, m.requirement, m.verdict)
+
+
+def untaken(quantities: Quantities) -> Measures:
+    """The measures of a file whose motion can't be followed: they have no values, and nothing required is met."""
+    return Measures([_untaken(measure, measure.unit(quantities)[0]) for measure in bound_measures(quantities)])
+
+
+def _untaken(measure: BoundMeasure, unit: str) -> Measure:
+    absent, required = Said("measure.untaken"), measure.requirement
+    values = [
+        MeasureValue(label=Said(f"measure.{label}") if label else "", at="–", grade=absent)
+        for label in measure.kind.labels
+    ]
+    requirement, verdict = (None, None) if required is None else (str(required.raw), False)
+    return Measure(measure.name, measure.entry.description, values, unit, requirement, verdict)
 
 
 def _time_phrase(side: str, time: str) -> Said:

@@ -157,6 +157,7 @@ TEXTS: dict[str, str] = {
     "measure.text": "{reduction} of {signal}",
     "measure.text.window": "{reduction} of {signal}, window {window}",
     "measure.text.where": "{signal} where {where}",
+    "measure.untaken": "no value: the motion can't be followed",
     "measure.at": "t = {time}",
     "measure.at.before": "before t = {time}",
     "measure.at.after": "after t = {time}",

@@ -156,6 +156,7 @@ TEXTS: dict[str, str] = {
     "measure.text": "{signal} 的 {reduction}",
     "measure.text.window": "{signal} 的 {reduction}，时间窗 {window}",
     "measure.text.where": "{where} 时的 {signal}",
+    "measure.untaken": "无数值：运动无法继续",
     "measure.at": "t = {time}",
     "measure.at.before": "t = {time}（左极限）",
     "measure.at.after": "t = {time}（右极限）",
