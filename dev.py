@@ -137,6 +137,17 @@ def make_venv() -> None:
         must(quietly(PYTHON, "-m", "ensurepip", "--upgrade"), f"installing pip in {VENV}")
 
 
+def chinese() -> bool:
+    """Whether the system speaks Chinese, as ``src/linkwright/cli/language.py`` decides."""
+    names = (os.environ.get(name) for name in ("LC_ALL", "LC_MESSAGES", "LANG", "LANGUAGE"))
+    system = next(filter(None, names), None)
+    if system is None and sys.platform == "win32":
+        import ctypes
+
+        return bool(ctypes.windll.kernel32.GetUserDefaultUILanguage() & 0x3FF == 0x04)
+    return (system or "").lower().startswith("zh")
+
+
 def ensure(wanted: set[str]) -> None:
     """Brings the environment up to pyproject.toml with at least the extras wanted.
 
@@ -154,6 +165,8 @@ def ensure(wanted: set[str]) -> None:
             return
         name = ".venv" if VENV == ROOT / ".venv" else str(VENV)
         line = f"updating {name}" if PYTHON.exists() else f"setting up {name} (once, about a minute)"
+        if chinese():
+            line = f"正在更新 {name}" if PYTHON.exists() else f"正在创建 {name}（仅首次，约一分钟）"
         print(line, file=sys.stderr, flush=True)
         make_venv()
         STAMP.unlink(missing_ok=True)

@@ -79,8 +79,9 @@ def machine(dev: ModuleType, monkeypatch: pytest.MonkeyPatch) -> Machine:
 
 
 def test_the_first_call_makes_the_environment_and_installs(
-    dev: ModuleType, machine: Machine, capfd: pytest.CaptureFixture[str]
+    dev: ModuleType, machine: Machine, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
+    monkeypatch.setenv("LC_ALL", "en_US.UTF-8")
     assert dev.main(["run", "feeder.yaml"]) == 0
     assert machine.calls[0] == [sys.executable, "-m", "venv", str(dev.ROOT / ".venv")]
     assert machine.installs() == ["."]
@@ -88,6 +89,14 @@ def test_the_first_call_makes_the_environment_and_installs(
     said = capfd.readouterr()
     assert said.err == "setting up .venv (once, about a minute)\n"
     assert said.out == ""  # a command's own output goes alone down a pipe
+
+
+def test_a_chinese_system_is_told_so_in_chinese(
+    dev: ModuleType, machine: Machine, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("LC_ALL", "zh_CN.UTF-8")
+    assert dev.main(["run", "feeder.yaml"]) == 0
+    assert capfd.readouterr().err == "正在创建 .venv（仅首次，约一分钟）\n"
 
 
 def test_a_second_call_installs_nothing(dev: ModuleType, machine: Machine) -> None:

@@ -13,13 +13,13 @@ from typing import Any
 
 from linkwright.data_classes import dataclass
 from linkwright.escape import line
-from linkwright.words import text
+from linkwright.words import filled, text
 
 
 def _say(key: str, data: Mapping[str, Any]) -> str:
     """A text of the catalogue; what is quoted in it stands in one line."""
     shown = {name: line(value) if isinstance(value, str) else value for name, value in data.items()}
-    return text(key).format_map(shown)
+    return filled(text(key), shown)
 
 
 class Said:

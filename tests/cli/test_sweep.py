@@ -37,7 +37,7 @@ def call(*words: object) -> Result:
 def test_the_sweep_alone(model: Path, tmp_path: Path) -> None:
     result = call("sweep", model, "--out", tmp_path / "out", "--workers", 1)
     assert result.exit_code == 0
-    assert "50 samples (plan: latin), 17 poses each" in result.stdout
+    assert "50 samples (plan: Latin hypercube (latin)), 17 poses each" in result.stdout
     assert "stroke" in result.stdout
     assert "100 %" in result.stdout
     assert sorted(path.name for path in (tmp_path / "out").iterdir()) == [

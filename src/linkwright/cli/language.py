@@ -17,6 +17,9 @@ from linkwright.words.en import click as english
 _CHINESE = 0x04
 """The primary language of Windows' numbers of languages (LANG_CHINESE)."""
 
+_VARIABLES = ("LC_ALL", "LC_MESSAGES", "LANG", "LANGUAGE")
+"""The variables of the environment that name the language, the first one that is set counts."""
+
 
 def requested_language(words: Sequence[str], environment: Mapping[str, str]) -> str:
     """The language that the command line asks for by ``--lang``, else the system's where there are texts in it."""
@@ -24,7 +27,7 @@ def requested_language(words: Sequence[str], environment: Mapping[str, str]) -> 
         name = words[k + 1] if word == "--lang" and k + 1 < len(words) else word.removeprefix("--lang=")
         if name in LANGUAGES and name != word:
             return name
-    system = next((environment[name] for name in ("LC_ALL", "LC_MESSAGES", "LANG") if environment.get(name)), None)
+    system = next((environment[name] for name in _VARIABLES if environment.get(name)), None)
     if system is None and sys.platform == "win32":
         import ctypes
 

@@ -19,6 +19,7 @@ from linkwright.expressions.forms import DimensionError, DimensionForm, Equation
 from linkwright.expressions.language import FUNCTIONS, Binary, Call, Name, Negative, Node, Number, is_signal, nodes
 from linkwright.expressions.system import Unknown
 from linkwright.expressions.units import BASES, PURE, Dimension, UnitError, unit, unit_text
+from linkwright.findings import Term
 
 __all__ = ["DimensionError", "Dimensions", "Wanted", "argument", "declared_scale", "value"]
 
@@ -148,7 +149,9 @@ def declared_scale(dimension: Dimension, declared: Mapping[str, str]) -> float:
     except UnitError as error:
         base = str(error)
         if base in BASES:
-            raise DimensionError("expression.undeclared-unit", base=base, count=1) from None
+            raise DimensionError(
+                "expression.undeclared-unit", base=base, quantity=Term(f"base-{base}"), count=1
+            ) from None
         raise DimensionError("expression.odd-unit", dimension=dimension) from None
 
 

@@ -89,7 +89,7 @@ def read_csv(name: str, folder: Path | None, path: Path_, limit: int) -> CsvFile
     if not found:
         raise ModelError([Finding("table.empty", path, {"file": name})])
     if len(found) == 1 and (sign := next((sign for sign in ";\t，；、" if sign in found[0]), None)):
-        data = {"file": name, "sign": Term("tab") if sign == "\t" else sign}
+        data = {"file": name, "sign": Term("tab") if sign == "\t" else Term("quoted", text=sign)}
         raise ModelError([Finding("table.separator", path, data)])
     return CsvFile(name, path, found, rows, encoding)
 

@@ -50,7 +50,7 @@ class Quantities:
         self.dimensions: Dimensions = inference.dimensions
         self.places: list[ExpressionPlace] = inference.places
         self.order, self.uses = inference.order, inference.uses
-        wrong = {finding.data["base"] for finding in self.findings}
+        wrong = {str(finding.path[1]) for finding in self.findings}
         self.findings += _collapsed([replace(f, data=self.spelt(f.data)) for f in inference.findings], wrong)
         self._bound: dict[tuple[str, Dimension | None], Node] = {}
         # Cells of tables and widths of bands are bound alike whoever asks: a bare 0 beside them tells no dimension.
@@ -72,7 +72,11 @@ class Quantities:
             except UnitError:
                 fits = False
             if not fits or (len(words_of(word)) > 1 and base in ("length", "angle", "mass", "time")):
-                data = {"word": word[:40], "base": base, "usual": _meant(word, base) or _USUAL[base]}
+                data = {
+                    "word": word[:40],
+                    "quantity": Term(f"base-{base}"),
+                    "usual": _meant(word, base) or _USUAL[base],
+                }
                 self.findings.append(Finding("units.wrong", ("units", base), data))
                 del declared[base]
         return declared

@@ -131,8 +131,9 @@ class Measure(Frozen):
     @property
     def description(self) -> Said:
         """What is asked for, for the reader."""
-        key = "measure.text.window" if self.window else "measure.text"
-        return Said(key, reduction=self.title, signal=self.subject, window=self.window)
+        own = f"measure.text.{self.reduction}"
+        what = Said(own if known(own) else "measure.text", reduction=self.title, signal=self.subject)
+        return Said("measure.text.window", what=what, window=self.window) if self.window else what
 
     def implied_expressions(self, mechanism: Any, name: str) -> Iterator[Use]:
         """The expressions that no field holds, of a measure of that name."""

@@ -100,7 +100,9 @@ class ValueEntry(Measure):
     @property
     def description(self) -> Said:
         """What is asked for, for the reader."""
-        return Said("measure.text.where", signal=self.subject, where=self.where)
+        instant = self.instant
+        key = "measure.text.where" if instant.kind == "zero" else f"measure.text.where.{instant.kind}"
+        return Said(key, signal=self.subject, where=self.where, of=instant.expression)
 
 
 @register

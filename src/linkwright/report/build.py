@@ -12,7 +12,7 @@ from linkwright.elements.cylinder import ends_of
 from linkwright.elements.force import FORCES, SignalChart
 from linkwright.escape import printed
 from linkwright.expressions.units import LENGTH, TIME, Dimension
-from linkwright.findings import Finding, Said, Text
+from linkwright.findings import Finding, Said, Term, Text
 from linkwright.measures import sampled_times
 from linkwright.model.document import Document, dump
 from linkwright.model.origin import Origin, hashed
@@ -253,15 +253,20 @@ def plots(result: Result) -> list[Plot]:
     return [plot for plot in found if plot is not None]
 
 
+def link_title(name: str) -> Text:
+    """A link in the title of a plot: the frame by what it is, others by their names."""
+    return Term("frame-link") if name == FRAME else name
+
+
 def _force_plots(result: Result) -> list[Plot | None]:
     m, signals = result.run.compiled.mechanism, result.run.compiled.quantities.signals
     found: list[Plot | None] = []
     for contact in signals.reactions:
         name = force_name(result, contact)
-        title = Said("plot.force", a=contact.link, b=contact.on)
+        title = Said("plot.force", a=link_title(contact.link), b=link_title(contact.on))
         found.append(_plot(result, title, "force", [f"{name}.x", f"{name}.y"]))
         if f"{name}.moment" in result.names:
-            title = Said("plot.moment", a=contact.link, b=contact.on)
+            title = Said("plot.moment", a=link_title(contact.link), b=link_title(contact.on))
             found.append(_plot(result, title, "force", [f"{name}.moment"]))
     motors = result.run.compiled.graph.motors
     turning = [name for name in motors if m.drives[name].turns]

@@ -7,11 +7,13 @@ A module gives ``TEXTS``, texts by key; ``PROBLEMS``, by the code of a problem i
 from __future__ import annotations
 
 import pkgutil
+import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import cache
 from importlib import import_module
+from string import Formatter
 from types import ModuleType
 from typing import Any
 
@@ -101,6 +103,33 @@ def text(key: str) -> str:
     return catalogue(LANGUAGES[0])[key] if found is None else found
 
 
+def filled(pattern: str, data: Mapping[str, Any]) -> str:
+    """A text with its data filled in. Spaces set data of Latin letters and digits off from hanzi; where the data begin
+    or end with hanzi themselves, such as names of a Chinese file, there are none."""
+    made = pattern.format_map(data)
+    return _without_spaces(pattern, data) if _BETWEEN_HANZI.search(made) else made
+
+
+_HANZI = "[\u2e80-\u9fff\uf900-\uffef]"
+_BETWEEN_HANZI = re.compile(f"{_HANZI} {_HANZI}")
+
+
+def _without_spaces(pattern: str, data: Mapping[str, Any]) -> str:
+    """The same without the pattern's spaces between hanzi and data; spaces within data are their own."""
+    made, own = "", False  # what is made, and whether its last letter is the pattern's
+    for words, name, spec, conversion in Formatter().parse(pattern):
+        ended = words[:1] == " " and _BETWEEN_HANZI.fullmatch(made[-1:] + words[:2])
+        made += words[1:] if ended else words
+        own = bool(words) or own
+        if name is None:
+            continue
+        field = "{" + name + (f"!{conversion}" if conversion else "") + (f":{spec}" if spec else "") + "}"
+        value = field.format_map(data)
+        begun = own and made[-1:] == " " and _BETWEEN_HANZI.fullmatch(made[-2:] + value[:1])
+        made, own = (made[:-1] if begun else made) + value, False
+    return made
+
+
 def say(key: str, /, **data: Any) -> str:
     """The text of ``key`` with its data filled in."""
-    return text(key).format(**data)
+    return filled(text(key), data)

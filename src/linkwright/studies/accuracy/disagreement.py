@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.data_classes import dataclass
-from linkwright.findings import Said, Text
+from linkwright.findings import Said, Term, Text
 from linkwright.presentation.json_numbers import known
 from linkwright.studies.accuracy.outcome import AccuracyOutcome, OutputDeviations, SignalDeviations
 
@@ -45,7 +45,8 @@ class Disagreement:
             return Said("accuracy.parted.still", name=name)
         data = {"ratio": f"{self.sigma_ratio:.4g}", "shift": f"{self.mean_shift:+.3g}".replace("-", "−")}
         errors = {"ratio_errors": _rounded(self.sigma_errors), "shift_errors": _rounded(self.mean_errors)}
-        return Said("accuracy.parted", name=name, **data, **errors)
+        significance = {"ratio_told": _significance(self.sigma_errors), "shift_told": _significance(self.mean_errors)}
+        return Said("accuracy.parted", name=name, **data, **errors, **significance)
 
 
 def disagreement(figure: OutputDeviations, outcome: AccuracyOutcome) -> Disagreement | None:
@@ -97,6 +98,11 @@ def _parted(compared: Array, outcome: AccuracyOutcome) -> NDArray[np.bool_]:
     with np.errstate(invalid="ignore"):
         wide = (np.abs(ratio - 1) > share) & (np.abs(sigma_errors) > ERRORS)
         return np.asarray(wide | (np.abs(shift) > share) & (np.abs(mean_errors) > ERRORS))
+
+
+def _significance(errors: float | None) -> Term:
+    """Whether a difference is more than random samples give, by its size in standard errors."""
+    return Term("deviation-small" if errors is None or abs(errors) <= ERRORS else "deviation-significant")
 
 
 def _rounded(errors: float | None) -> str:

@@ -67,11 +67,7 @@ def _remarks(figure: OutputDeviations, outcome: AccuracyOutcome, brief: bool = F
         key = "accuracy.searched" if found.proven else "accuracy.searched.bound"
         ends = {"low": deviation(found.low / size, figure), "high": deviation(found.high / size, figure)}
         yield Said(key, name=figure.title, off=percent(found.off, 3), unit=Unit(figure.column.unit), **ends)
-    if brief:
-        return
-    if figure.time is not None:
-        yield Said("accuracy.at", time=moment(figure.time, outcome))
-    if figure.tie:
+    if figure.tie and not brief:
         yield Said("accuracy.tie", name=figure.title)
 
 

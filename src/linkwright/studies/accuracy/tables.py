@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from math import floor, inf, log10
 
 from linkwright.expressions.units import TIME
@@ -93,7 +94,11 @@ def review(figure: OutputDeviations, outcome: AccuracyOutcome) -> Table:
         )
     for key, ends in _totals(figure).items():
         rows.append([_head(key, outcome), _nominal(figure), *[""] * 4, _range(ends, figure, unit)])
-    return _table("review", heads, rows, outcome, figure.title)
+    shown = _table("review", heads, rows, outcome, figure.title)
+    if figure.time is None:
+        return shown
+    title = Said("accuracy.table.review.at", output=figure.title, time=moment(figure.time, outcome))
+    return replace(shown, title=title)
 
 
 def review_text(figure: OutputDeviations, outcome: AccuracyOutcome) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from linkwright.presentation.json_numbers import known
 from linkwright.studies.shares import CONFIDENCE
 from linkwright.studies.sweep.charts import charts
 from linkwright.studies.sweep.outcome import Statistics, SweepOutcome
+from linkwright.words import known as known_text
 
 
 def sweep_entry(outcome: SweepOutcome) -> dict[str, Any]:
@@ -104,11 +106,16 @@ def tables(outcome: SweepOutcome, entry: dict[str, Any]) -> list[Table]:
         ]
         return table("sweep", name, (head, *keys, "unit"), rows)
 
+    # Of a grid, whose points have no likelihood, a share of combinations is no yield.
+    which = "" if outcome.plan.chosen else "-grid"
     shares = [[name, e["require"], percent(e["share"]), _interval(e)] for name, e in entry["require"].items()]
     return [
         numbers("vary", "parameter", "nominal", "min", "max"),
         numbers("measures", "measure", "mean", "deviation", "min", "max"),
-        table("sweep", "require", ("measure", "requirement", "share", "interval"), shares),
+        replace(
+            table("sweep", "require", ("measure", "requirement", f"share{which}", "interval"), shares),
+            title=Said(f"sweep.table.require{which}"),
+        ),
         numbers("signals", "signal", "min", "max", "deviation_max"),
     ]
 
@@ -119,7 +126,9 @@ def sentence(outcome: SweepOutcome) -> Said:
         return Said("sweep.sentence.none")
     key = "sweep.sentence.failed" if outcome.failed else "sweep.sentence"
     data = {"samples": f"{outcome.samples:,}", "poses": f"{outcome.t.size:,}", "failed": f"{outcome.failed:,}"}
-    return Said(key, plan=outcome.plan.name, kernel=outcome.kernel, **data)
+    name = f"sweep.plan.{outcome.plan.name}"
+    plan: Text = Said(name) if known_text(name) else outcome.plan.name
+    return Said(key, plan=plan, kernel=outcome.kernel, **data)
 
 
 def _interval(entry: dict[str, Any]) -> Numbers:

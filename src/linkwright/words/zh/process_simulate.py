@@ -15,6 +15,6 @@ TEXTS: dict[str, str] = {
     "functions.T-": "顺时针为正",
     "functions.D+": "沿直线方向为正",
     "functions.D-": "沿直线反方向为正",
-    "functions.snippet": "按名称为各运动副赋值；该工具接受的各段文本不带引号。",
+    "functions.snippet": "按名称为各运动副赋值；Process Simulate 接受的各段文本不带引号。",
     "functions.done": "{count} 个运动副函数，语法格式 {dialect}：取 {decimals} 位小数时最大偏差 {error}（rad 或 mm）；最长的有 {longest} 个字符。",
 }

@@ -57,7 +57,7 @@ TEXTS: dict[str, str] = {
     "report.live.failed_group": "{name} 的构件在 {time} 处无法装配，图中标出缺口。",
     "report.live.failed_higher": "{name} 的构件在 {time} 之后无法继续计算：机构到达奇异位形。",
     "report.live.failed_number": "{name}：{what}",
-    "report.live.failed_parameter": "当前数值下，参数 {name} 没有数值。",
+    "report.live.failed_parameter": "参数“{name}”在当前数值下无解（除以零或负数开方）。",
     "report.live.hold": "拖动时保持不变",
     "report.live.move": "运动",
     "report.live.no_number": "“{value}”不是以 {unit} 计的数值；请输入数值、算式或带单位的数值，例如 160、2*80 或 16 cm。",

@@ -2,8 +2,8 @@
 
 PROBLEMS: dict[str, tuple[str, str]] = {
     "units.wrong": (
-        "'{word}' isn't a unit of {base}.",
-        "Write a plain unit of {base}, for example {usual}.",
+        "'{word}' isn't a unit of {quantity}.",
+        "Write the abbreviation of a plain unit, for example {usual}.",
     ),
     "units.unknown": (
         "'{word}' isn't a known unit.",
@@ -42,7 +42,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "Write the number before it, as in '1 {name}', or declare {name} under parameters.",
     ),
     "expression.undeclared-unit": (
-        "A number has no unit here, and 'units' doesn't declare the unit of {base} (such numbers: {count}).",
+        "A number has no unit here, and 'units' doesn't declare the unit of {quantity} (such numbers: {count}).",
         "Declare {base} under units, or write the unit after the number.",
     ),
     "expression.odd-unit": (

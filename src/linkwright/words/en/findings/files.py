@@ -28,7 +28,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "file.needs-package": (
         "This needs the package {package}, which isn't installed.",
-        "Install it: pip install 'linkwright[{extra}]'.",
+        'Install it: pip install "linkwright[{extra}]".',
     ),
     "file.too-large": (
         "The file is larger than {limit} bytes, the limit for a model file.",

@@ -42,7 +42,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "Write the names of the columns in the first line and numbers in the following lines, separated by commas.",
     ),
     "table.separator": (
-        "The file {file} separates its columns with '{sign}'; commas are expected.",
+        "The file {file} separates its columns with {sign}; commas are expected.",
         "Save it with commas between the columns and decimal points in the numbers.",
     ),
     "table.column-twice": (

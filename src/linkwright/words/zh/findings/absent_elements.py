@@ -20,9 +20,9 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "例如“springs: {{damper: {{from: A, to: B, damping: 200 N*s/m}}}}”。",
     ),
     "element.friction": (
-        "“{name}”：转动副和移动副的摩擦在 friction 中定义。",
+        "“{name}”：转动副、移动副以及凸轮和销槽副接触处的摩擦在 friction 中定义。",
         "例如“friction: {{bearing_A: {{pin: A, radius: 10 mm, coefficient: 0.1}}, rail: {{slide: guide, length: 60 mm, "
-        "coefficient: 0.12}}}}”。linkwright 尚不支持凸轮和销槽副的摩擦。",
+        "coefficient: 0.12}}, seat: {{contact: valve, coefficient: 0.08}}}}”；contact 为凸轮或销槽副的名称。",
     ),
     "element.gear": (
         "“{name}”：齿轮副在 joints 中以 gears 定义。",

@@ -53,7 +53,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "cam.undercut": (
         "{disc}发生运动失真：凸轮转角 {theta} 处{name}为 {value} {unit}，必须大于 {limit} {unit}。任何实际廓线都不能使从动件实现该运动。",
-        "增大基圆（最小：{base}），或将升程分布到更大的凸轮转角上{roller}。",
+        "增大基圆（最小：{base}），或将推程分布到更大的凸轮转角上{roller}。",
     ),
     "cam.rough": (
         "凸轮转角 {theta} 处，从动件的{rate}发生突变。",
@@ -103,7 +103,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "cam.load-signal": (
         "凸轮载荷中不能使用“{name}”。",
-        "使用 angle（凸轮转角）、lift（从动件升程）、参数、表和运动规律。",
+        "使用 angle（凸轮转角）、lift（从动件位移）、参数、表和运动规律。",
     ),
     "cam.load-outside": (
         "凸轮转角 {theta} 处，载荷在 {at} {of} 处取表 {table} 的值，超出其范围 {low} 至 {high} {of}。",
@@ -115,7 +115,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "cam.spring": (
         "从动件脱离：转速为 {speed} 时，接触力在凸轮转角 {theta} 处降至 {force}，至少应为 {least}。",
-        "将升程为零时的弹簧预紧力设为 {preload}{rate}。",
+        "将从动件位移为零时的弹簧预紧力设为 {preload}{rate}。",
     ),
     "cam.hertz": (
         "赫兹接触应力在凸轮转角 {theta} 处为 {value}，限值为 {limit}。",
@@ -123,7 +123,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "cam.torque": (
         "凸轮轴力矩在凸轮转角 {theta} 处为 {value}，限值为 {limit}。",
-        "改用较弱的弹簧，减轻从动件，或将升程分布到更大的凸轮转角上。",
+        "改用较弱的弹簧，减轻从动件，或将推程分布到更大的凸轮转角上。",
     ),
     "cam.shock": (
         "从动件速度发生突变，该处的力将为无穷大。",
@@ -144,7 +144,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     "cam.play": (
         "框形从动件的最大间隙为 {play}：凸轮在从动件移动方向上的宽度，在凸轮转角 {at_min} 处为 {yoke_span_min}，在 {at_max} "
         "处为 {yoke_span_max}。",
-        "改用相隔半周的两处升程之和恒定的运动规律，例如回程与推程采用同一规律且相隔半周；或采用副凸轮，即 closed: conjugate。",
+        "改用相隔半周的两处位移之和恒定的运动规律，例如回程与推程采用同一规律且相隔半周；或采用副凸轮，即 closed: conjugate。",
     ),
     "nc.no-post": (
         "要求生成数控代码，但未指定数控系统。",
@@ -191,7 +191,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "减少小数位数。",
     ),
     "nc.fine": (
-        "升程公差允许的轨迹误差为 {allowed} mm，而仅舍入误差就达 {rounding} mm。",
+        "位移公差允许的轨迹误差为 {allowed} mm，而仅舍入误差就达 {rounding} mm。",
         "增加小数位数，或放宽公差。",
     ),
     "nc.no-dwell": (
@@ -203,7 +203,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "增加小数位数或放宽公差；曲率过大处可增大基圆。",
     ),
     "nc.off": (
-        "回读 {post} 的文件，所得升程的偏差为公差的 {share} 倍，并且对实际廓线过切 {gouge} mm。该文件未写入。",
+        "回读 {post} 的文件，所得位移的偏差为公差的 {share} 倍，并且对实际廓线过切 {gouge} mm。该文件未写入。",
         "增加小数位数或步数；若误差仍然存在，将其作为 linkwright 的缺陷报告。",
     ),
     "nc.depth": (

@@ -54,12 +54,12 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "增大基圆，或减小从动件的偏距。",
     ),
     "cam.second-side": (
-        "在整个升程中，{follower} 的第二接触必须始终位于凸轮轴与摆动中心连线的另一侧：其摆杆或平底与该连线的夹角为 {low} 至 "
+        "在整个推程中，{follower} 的第二接触必须始终位于凸轮轴与摆动中心连线的另一侧：其摆杆或平底与该连线的夹角为 {low} 至 "
         "{high} {unit}，允许范围为 {least} 至 {most} {unit}。",
         "移动第二接触点或第二平底，或修改副凸轮的基圆。",
     ),
     "cam.second-height": (
-        "{follower} 的第二接触必须始终在凸轮轴的另一侧；升程最大时，它仍在第一接触一侧，距凸轮轴 {height} {unit}。",
+        "{follower} 的第二接触必须始终在凸轮轴的另一侧；从动件位移最大时，它仍在第一接触一侧，距凸轮轴 {height} {unit}。",
         "使第二接触点或第二平底远离第一接触。",
     ),
     "cam.second-base": (
@@ -68,7 +68,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "joint.locks": (
         "由 {joint}（{kind}）带动的构件在 t = {time} s（{drive} = {value} {unit}）时卡死：{why}。",
-        "减小升程，或将其分布到更大的范围上，使压力角始终小于 90 deg。",
+        "减小升距，或将推程分布到更大的范围上，使压力角始终小于 90 deg。",
     ),
     "cam.lifts-off": (
         "凸轮 {joint} 的从动件脱离：在 t = {time} s（{drive} = {value} {unit}）时，需要 {force} {of} 的拉力才能保持接触。",
@@ -76,11 +76,11 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "cam.locks": (
         "凸轮 {joint} 的从动件在 t = {time} s（{drive} = {value} {unit}）时卡死：{why}。",
-        "减小升程，或将其分布到更大的凸轮转角上；或修改摆动中心、摆杆长度或基圆，使压力角始终小于 90 deg。",
+        "减小升距，或将推程分布到更大的凸轮转角上；或修改摆动中心、摆杆长度或基圆，使压力角始终小于 90 deg。",
     ),
     "cam.loose": (
         "凸轮 {cam} 的框形从动件最大间隙为 {play}；力按无间隙计算。",
-        "改用相隔半周的两处升程之和恒定的运动规律，或采用副凸轮，即 closed: conjugate。",
+        "改用相隔半周的两处位移之和恒定的运动规律，或采用副凸轮，即 closed: conjugate。",
     ),
     "cam.reach": (
         "{follower} 的摆杆与基圆不匹配，长度过长或过短 {by} {unit}：摆杆长度为 {arm} {unit}、中心距为 {distance} {unit} "
@@ -198,8 +198,8 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "删除“in”。",
     ),
     "joint.slides-tilted": (
-        "移动副 {joint} 不能使移动副 {loop} 组成的环路封闭：其两条直线的方向之差与其他移动副所要求的相差 {angle} {unit}。",
-        "改正 line 中的角度，使环路中各方向相互一致。",
+        "移动副 {joint} 不能使移动副 {loop} 组成的闭环封闭：其两条直线的方向之差与其他移动副所要求的相差 {angle} {unit}。",
+        "改正 line 中的角度，使闭环中各方向相互一致。",
     ),
     "load.against-itself": (
         "载荷作用于 {name}，其反作用也作用于 {name} 自身：两力相互抵消。",

@@ -2,8 +2,8 @@
 
 PROBLEMS: dict[str, tuple[str, str]] = {
     "units.wrong": (
-        "“{word}”不是 {base} 的单位。",
-        "写一个 {base} 的单位，例如 {usual}。",
+        "“{word}”不能用作{quantity}的单位。",
+        "改写为单位的缩写，例如 {usual}。",
     ),
     "units.unknown": (
         "未知的单位“{word}”。",
@@ -42,7 +42,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "在其前面写数值，例如“1 {name}”，或在 parameters 中定义 {name}。",
     ),
     "expression.undeclared-unit": (
-        "此处的数值没有单位，而 units 中未声明 {base} 的单位（此类数值共 {count} 个）。",
+        "此处的数值没有单位，而 units 中未声明{quantity}的单位（此类数值共 {count} 个）。",
         "在 units 中声明 {base}，或在数值后写明单位。",
     ),
     "expression.odd-unit": (

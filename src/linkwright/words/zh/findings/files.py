@@ -27,7 +27,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "file.needs-package": (
         "此功能需要软件包 {package}，但尚未安装。",
-        "用以下命令安装：pip install 'linkwright[{extra}]'。",
+        '用以下命令安装：pip install "linkwright[{extra}]"。',
     ),
     "file.too-large": (
         "文件大小超过 {limit} 字节，即模型文件的上限。",

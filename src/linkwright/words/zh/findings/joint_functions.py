@@ -39,11 +39,11 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "functions.master-structure": (
         "运动副 {joint} 不能作为主动运动副（master）：若以它代替 {drive} 作为驱动，机构将欠约束或过约束。",
-        "在 {drive} 所带动的环路中指定一个运动副。",
+        "在 {drive} 所带动的闭环中指定一个运动副。",
     ),
     "functions.no-dependent": (
         "没有随 {drive} 变化的运动副，因此没有可写的函数。",
-        "构成封闭环路，将某个运动副从 left_out 中删除，或删除该导出；直接驱动的运动副不需要函数。",
+        "使构件构成闭环，将某个运动副从 left_out 中删除，或删除该导出；直接驱动的运动副不需要函数。",
     ),
     "export.too-long": (
         "{joints} 的角度在 {duration} s 内无法连续跟踪。",
@@ -54,12 +54,12 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "不将该机构导出到该目标，或用构件、转动副和移动副代替该运动副。",
     ),
     "export.cannot-close-slides": (
-        "{name} 无法表示由 {joints} 封闭的纯移动副环路：它只能用转动副封闭环路。",
+        "{name} 无法表示由 {joints} 构成的只含移动副的闭环：闭环只能由转动副封闭。",
         "为其中一个构件单独设置滑块，并用转动副与之连接；或不导出该机构。",
     ),
     "functions.wedge": (
-        "{links} 位于纯移动副环路中（移动副 {slides}），此类环路不支持运动副函数。",
-        "手工编写函数：此类环路中各移动副的行程彼此成正比。",
+        "{links} 位于只含移动副的闭环中（移动副 {slides}），此类闭环不支持运动副函数。",
+        "手工编写函数：此类闭环中各移动副的行程彼此成正比。",
     ),
     "functions.shared-pin": (
         "驱动 {drive} 使铰链 {pin} 上的两个构件相对运动，但该铰链上有其他构件排在它们之前；Process Simulate 的运动副将铰链上的第一个构件与其余各构件分别连接。",
@@ -67,7 +67,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "functions.too-many": (
         "连同辅助运动副，共需 {count} 个运动副；Process Simulate 的函数最多支持 {limit} 个。",
-        "将用于封闭环路的运动副列入 left_out，允许更长的函数文本，或只导出机构的一部分。",
+        "将使闭环封闭的运动副列入 left_out，允许更长的函数文本，或只导出机构的一部分。",
     ),
     "functions.name": (
         "在 Process Simulate 中，运动副 {joint} 不能命名为“{name}”。",

@@ -2,7 +2,7 @@
 
 PROBLEMS: dict[str, tuple[str, str]] = {
     "varied.slides": (
-        "移动副 {loop} 的方向只在 {name} 取给定值时相容：取其他值时，它们所在的环路不能装配。",
+        "移动副 {loop} 的方向只在 {name} 取给定值时相容：取其他值时，它们所在的闭环不能装配。",
         "将各移动副的两条直线都用 {name} 表示，或不变动该参数。",
     ),
     "varied.passage": (

@@ -81,7 +81,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "无需修改。若需要力矩，将其中一个构件由导轨导向改为用转动副与滑块连接。",
     ),
     "structure.loop-of-slides": (
-        "构件 {links} 不能依次装配：它们只由移动副构成环路，linkwright 无法对其联立求解。",
+        "构件 {links} 不能依次装配：它们构成只含移动副的闭环，linkwright 无法对其联立求解。",
         "驱动其他构件，或用转动副加滑块代替其中一个移动副。",
     ),
     "structure.redundant": (
