@@ -121,7 +121,7 @@ TERMS: dict[str, str] = {
     "must-choice": "it must be {expected}, not {given}",
     # What is given.
     "nothing": "nothing",
-    "tab": "tab",
+    "tab": "tabs",
     "positive": "it must be positive",
     "and": "{first} and {last}",
     "or": "{first} or {last}",
