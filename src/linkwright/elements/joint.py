@@ -111,6 +111,10 @@ class Inner(ABC):
             found.append(Wrench(Pair(x, y), moment, about))
         return found
 
+    def place(self, bodies: Sequence[Body]) -> Pair | None:
+        """Where its force acts, of a closure of one point; ``None`` elsewhere."""
+        return None
+
     def besides(self, bodies: Sequence[Body], multipliers: Sequence[Scalar]) -> list[Wrench]:
         """Wrenches on the links that come with the multipliers and do no work on any motion that the mechanism has,
         such as the force that separates two gears; none where the list is empty."""

@@ -291,6 +291,9 @@ class InnerSlot(Inner):
         missed = self.slot.gap(*self.local(*bodies))
         return (missed if is_zero(self.off) else Jet([missed.d[0] - self.off, *missed.d[1:]]),)
 
+    def place(self, bodies: Sequence[Body]) -> Pair | None:
+        return bodies[0].point(self.pin).now
+
 
 @register
 class PinInSlot(JointKind):

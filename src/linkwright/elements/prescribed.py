@@ -59,6 +59,9 @@ class InnerTrack(Inner):
     def gap(self, *bodies: Body) -> tuple[Jet, ...]:
         return (self.track.travel(*bodies),)
 
+    def place(self, bodies: Sequence[Body]) -> Pair | None:
+        return bodies[0].point(self.track.point).now
+
 
 class PrescribedKind(JointKind):
     """A drive's equation; its proof holds the links' reported poses against the law itself."""

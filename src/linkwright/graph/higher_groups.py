@@ -62,17 +62,20 @@ class SolvedHigherGroup:
     fields: list[dict[str, Twist]]
     twists: dict[str, Twist]
     closures: Closures
+    bodies: dict[str, Body]
 
-    def determinant(self) -> Scalar:
+    def margin(self) -> Scalar:
         """The margin to a singular pose, with the determinant's sign: 0 singular, 1 best; undefined where an equation
         has no slope at all.
 
         It is sqrt(n) over the Frobenius norm of the inverse of the matrix whose columns have the length 1: a reciprocal
         condition, which passes through zero as the determinant does. Of two equations it is the determinant itself
         (Hadamard's, over the product of its columns' lengths); that of many equations shrinks with their number,
-        although no pose is near.
+        although no pose is near. One equation alone has no other to be measured against: see :meth:`_alone`.
         """
         n = len(self.slopes)
+        if n == 1:
+            return self._alone()
         lengths = [sum((row[i] * row[i] for row in self.slopes), 0.0) for i in range(n)]
         determinant = self.factor.determinant()
         if isinstance(determinant, float) and determinant == 0.0:
@@ -82,6 +85,22 @@ class SolvedHigherGroup:
             answer = self.factor.solve([1.0 if i == k else 0.0 for i in range(n)])
             inverse = inverse + sum((one * one * size for one, size in zip(answer, lengths, strict=True)), 0.0)
         return call("sign", determinant) * math.sqrt(n) / call("sqrt", inverse)
+
+    def _alone(self) -> Scalar:
+        """The margin of one equation: the power of its forces on the motion of its coordinate, over that which they
+        would have if each pointed the way its place moves. That is the sine of a transmission angle."""
+        ((slope,),), ((c, inner),) = self.slopes, self.closures
+        most: Scalar = 0.0
+        bodies = [self.bodies[link] for link in c.links]
+        place = inner.place(bodies)
+        for link, anchored in zip(c.links, inner.actions(bodies, [1.0]), strict=True):
+            if (twist := self.fields[0].get(link)) is None:
+                continue
+            wrench = anchored if place is None else anchored.at(place)
+            velocity = twist.velocity(wrench.about)
+            most = most + call("sqrt", wrench.force.dot(wrench.force) * velocity.dot(velocity))
+            most = most + call("abs", wrench.moment * twist.turn)
+        return slope / most
 
     def balance(self, wrenches: dict[str, Wrench], bodies: dict[str, Body], beside: Beside) -> list[Balanced]:
         """Of each closure what keeps all links in equilibrium."""
@@ -164,7 +183,14 @@ def solve_higher_group(motion: Motion, step: HigherGroup, drives: dict[str, Jet]
     # Step 4: place the links once more with all rates.
     place_links([])
     motion.higher_groups[step] = SolvedHigherGroup(
-        gaps, slopes, factor, [rates[edge] for edge in step.free], fields, twists, closures
+        gaps,
+        slopes,
+        factor,
+        [rates[edge] for edge in step.free],
+        fields,
+        twists,
+        closures,
+        {link: motion.bodies[link] for c, _ in closures for link in c.links},
     )
 
 

@@ -233,7 +233,7 @@ class Explorer:
 
     def vague(self, higher_group: HigherGroup) -> bool:
         """Whether a higher group, as it is placed now, is singular: its coordinates are known to few digits only."""
-        return not abs(float(self.motion.higher_groups[higher_group].determinant())) > 1e-6
+        return not abs(float(self.motion.higher_groups[higher_group].margin())) > 1e-6
 
     def polish(self, higher_group: HigherGroup, start: list[float]) -> list[float] | None:
         """The solution at a start, singular ones too; ``None`` where there is none.

@@ -50,7 +50,7 @@ class Motion:
     def determinant(self, label: str) -> Scalar:
         """The margin to singularity of a dyad (its normalised determinant) or higher group."""
         dyads = {group.label: solved.determinant for group, (_, solved) in self.dyads.items()}
-        return dyads[label] if label in dyads else self.higher_group(label).determinant()
+        return dyads[label] if label in dyads else self.higher_group(label).margin()
 
     def point(self, link: str, name: str) -> Pair:
         """Coordinates of a link's point in its frame."""

@@ -106,12 +106,14 @@ class Corrector:
         over how far they are out, so that one that runs away doesn't do so in ever smaller steps."""
         return np.asarray(np.abs(step / self.sizes(u)).max(axis=0))
 
-    def certified(self, x: Array, start: Array, found: Array, p: Array, sign: Array | float) -> NDArray[np.bool_]:
-        """Which poses ``found`` from a ``start`` (n, poses) have the mode of a ``sign`` and are the only root that can
-        be meant: (poses,)."""
-        ending = self.slopes(x, found, p)
+    def certified(
+        self, x: Array, start: Array, found: Array, ending: Array, p: Array, sign: float, near: float = SURE
+    ) -> NDArray[np.bool_]:
+        """Which poses ``found`` from a ``start`` (n, poses), with the slopes ``ending`` there, have the mode of a
+        ``sign`` and are the only root that can be meant: (poses,). Of those that Newton moved by less than ``near`` the
+        sign alone is asked."""
         sure = signs(ending) == sign
-        moved = np.flatnonzero(sure & ~(self.largest_step(found - start, found) < SURE))
+        moved = np.flatnonzero(sure & ~(self.largest_step(found - start, found) < near))
         if moved.size:
             own = p if p.ndim == 1 else p[:, moved]
             beginning = self.slopes(x[:, moved], start[:, moved], own)
@@ -165,7 +167,7 @@ class Continuation(Corrector):
         start = self.foretell(x, t, p, at)
         found = self.newton(x, start, p)
         # Where a pose isn't certified, lay the path through it by steps that are; where that can't be, it ends.
-        doubtful = np.isfinite(start[0]) & ~self.certified(x, start, found, p, self.sign)
+        doubtful = np.isfinite(start[0]) & ~self.certified(x, start, found, self.slopes(x, found, p), p, self.sign)
         if doubtful.any():
             for time in np.unique(t[doubtful]).tolist():
                 self.lay_through(time, p, at)
@@ -244,7 +246,7 @@ class Continuation(Corrector):
         starts, poses = np.stack([guess, middle], axis=1), np.stack([b, solved], axis=1)
         if not self.largest_step(poses - starts, poses).max() < CLOSE:
             return False
-        return bool(self.certified(x, starts, poses, p, self.sign).all())
+        return bool(self.certified(x, starts, poses, self.slopes(x, poses, p), p, self.sign).all())
 
     def rates(self, x: Array, u: Array, p: Array) -> Array:
         """The rates of the coordinates ``u`` (n,) at one pose: (n,)."""

@@ -2,8 +2,9 @@
 parameters, from the nominal start pose to that of the sample, then in time from pose to pose.
 
 A step predicts the coordinates with the closures' slopes at its beginning, and Newton corrects them. It is accepted
-only if the correction is small (:data:`CLOSE`), else halved, so that no sample jumps to another assembly mode. The
-result of a sample doesn't depend on the other samples, to the last bit.
+only if the correction is small (:data:`CLOSE`) and the pose certified (:mod:`linkwright.kernels.step_certificate`),
+else halved, so that no sample jumps to another assembly mode: all have that of the nominal start pose. The result of a
+sample doesn't depend on the other samples, to the last bit.
 """
 
 from __future__ import annotations
@@ -21,12 +22,16 @@ from linkwright.kernels.continuation import CLOSE, PATIENCE, Corrector
 from linkwright.kernels.continuation_paths import NEAR, STRIDE, Place, SamplePaths
 from linkwright.kernels.newton import steps
 from linkwright.kernels.registry import KERNELS, Kernel
+from linkwright.kernels.step_certificate import signs
 from linkwright.structure import HigherGroup
 
 Array = NDArray[np.float64]
 
 MOST = 1 << 12
 """Samples of which the paths are held at once."""
+FORETOLD = 1e-5
+"""A pose that Newton moves by less than this from the interpolation of its path (rad, or over the size) could only be
+mistaken for one of the same mode where three poses meet: two that meet have modes of opposite signs."""
 HELD = 1 << 14
 """Poses that are solved at once, few enough to stay in cache."""
 
@@ -34,11 +39,14 @@ HELD = 1 << 14
 class _Joined(Corrector):
     """Newton on one higher group, from a prediction by the slopes of its closure equations."""
 
+    sign = np.nan  # that of the determinant of the slopes at the nominal start pose: the assembly mode of all samples
+
     def step(self, x: Array, p: Array, slopes: Array) -> tuple[Array, Array]:
         """Put the coordinates into the inputs, which hold those of poses nearby, where the ``slopes`` are known.
 
-        Gives the error of the prediction over the allowed one, (poses,), NaN where there is no solution; and the
-        slopes there. The step is checked forward and backward, as one that ends on another mode may look good one way.
+        Gives the error of the prediction over the allowed one, (poses,), infinite where the pose isn't certified; and
+        the slopes there. The step is checked forward and backward, as one that ends on another mode may look good one
+        way.
         """
         # Forward: from the known pose, predict with the slopes there (one Newton step), then let Newton converge.
         u = x[self.rows]
@@ -50,6 +58,7 @@ class _Joined(Corrector):
         ending = self.closure_errors(x, p)[1]
         back = found + steps(ending, missed)
         off = np.maximum(self.largest_step(found - guess, found), self.largest_step(back - u, found))
+        off[~self.certified(x, guess, found, ending, p, self.sign)] = np.inf
         # The step also must not move any coordinate by more than the stride, however good the prediction is.
         return np.maximum(off / CLOSE, self.largest_step(found - u, found) / STRIDE), ending
 
@@ -65,11 +74,20 @@ class Pursuit:
         rates = [row for higher_group in higher_groups for row in graph.coordinate_rates(higher_group)]
         self.motion: Kernel = KERNELS[kernel](graph.program(rates))
 
-    def solve(self, x: Array, p: Array) -> Array:
-        """The coordinates, (coordinates, poses), by Newton from inputs in which starts stand; they replace these."""
+    def begin(self, x: Array, p: Array) -> None:
+        """Take the assembly mode of all samples from the nominal start pose, (inputs, 1)."""
         for joined in self.joined:
-            x[joined.rows] = joined.solver.run(x, p)
-        return x[self.rows]
+            joined.sign = float(signs(joined.closure_errors(x, p)[1])[0])
+
+    def solve(self, x: Array, p: Array, near: float) -> tuple[Array, NDArray[np.bool_]]:
+        """The coordinates, (coordinates, poses), by Newton from inputs in which starts stand; they replace these. And
+        which poses are certified, of those that Newton moved by less than ``near`` by their sign alone."""
+        sure = np.ones(x.shape[1], dtype=bool)
+        for joined in self.joined:
+            start = x[joined.rows]
+            x[joined.rows] = found = joined.solver.run(x, p)
+            sure &= joined.certified(x, start, found, joined.closure_errors(x, p)[1], p, joined.sign, near)
+        return x[self.rows], sure
 
     def largest_step(self, step: Array, u: Array) -> Array:
         """The largest step of a pose's coordinates, as :meth:`Corrector.largest_step`: (...) of (coordinates, ...)."""
@@ -164,6 +182,9 @@ class Pursued:
         self.pursuit, self.start, self.nominal, self.drives = pursuit, start, nominal, drives
         self.rows = pursuit.rows
         self.kept = threading.local()
+        x = self._inputs(nominal[:, None], np.zeros(1))
+        x[self.rows, 0] = start
+        pursuit.begin(x, nominal[:, None])
 
     def coordinates(self, x: Array, p: Array, t: Array) -> Array:
         """At times ``t`` (times,) or (samples, times): (coordinates, samples, times); NaN from where a sample can't be
@@ -213,9 +234,10 @@ class Pursued:
         guess = paths.foretell(t, some)
         x = x.reshape(len(x), -1)
         x[self.rows] = guess.reshape(len(guess), -1)
-        found = self.pursuit.solve(x, np.repeat(p, t.shape[1], axis=1)).reshape(guess.shape)
-        far = self.pursuit.largest_step(found - guess, found)
-        return found, (t >= 0) & (t <= paths.end[some, None]) & ~(far < NEAR)
+        poses, sure = self.pursuit.solve(x, np.repeat(p, t.shape[1], axis=1), FORETOLD)
+        found = poses.reshape(guess.shape)
+        sure = sure.reshape(t.shape) & (self.pursuit.largest_step(found - guess, found) < NEAR)
+        return found, (t >= 0) & (t <= paths.end[some, None]) & ~sure
 
     def gather(self, p: Array) -> None:
         """Lay the paths of these samples together from now on, in this thread, though they be asked for in parts."""

@@ -14,7 +14,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.kernels.continuation import CLOSE, PATIENCE
+from linkwright.kernels.continuation import CLOSE, PATIENCE, SURE
 from linkwright.kernels.registry import Kernel
 
 Array = NDArray[np.float64]
@@ -41,8 +41,9 @@ class Solver(Protocol):
     rows: list[int]
     motion: Kernel
 
-    def solve(self, x: Array, p: Array) -> Array:
-        """The coordinates, (coordinates, poses), from inputs in which starts stand; they replace these."""
+    def solve(self, x: Array, p: Array, near: float) -> tuple[Array, NDArray[np.bool_]]:
+        """The coordinates, (coordinates, poses), by Newton from inputs in which starts stand; they replace these. And
+        which poses are certified, of those that Newton moved by less than ``near`` by their sign alone."""
 
     def largest_step(self, step: Array, u: Array) -> Array:
         """The largest step of a pose's coordinates: (...) of (coordinates, ...), in rad or over the size."""
@@ -61,18 +62,18 @@ class SamplePaths:
         self.u, self.rate = np.full((2, n, samples, 64), np.nan)
         self.last = np.zeros(samples, dtype=np.intp)  # of each sample, its last pose laid
         self.t[:, 0], self.u[..., 0] = 0.0, start
-        self.rate[..., 0] = self._solved(np.arange(samples), np.zeros(samples), start)[1]
+        self.rate[..., 0] = self._solved(np.arange(samples), np.zeros(samples), start)[2]
         self.bend = np.zeros_like(start)  # half the rate of the rates
         self.step = np.full(samples, FIRST * span)
         known = np.isfinite(start).all(axis=0)
         self.end = np.where(known, np.inf, -np.inf)  # from there on no steps lead, however short
         self.open = known & np.isfinite(self.rate[..., 0]).all(axis=0) & (span > 0)
 
-    def _solved(self, which: Index, t: Array, guess: Array) -> tuple[Array, Array]:
-        """The coordinates of some samples at a time each, and their rates."""
+    def _solved(self, which: Index, t: Array, guess: Array) -> tuple[Array, NDArray[np.bool_], Array]:
+        """The coordinates of some samples at a time each, which of them are certified, and their rates."""
         x, p = self.place(which, t)
         x[self.solver.rows] = guess
-        return self.solver.solve(x, p), self.solver.motion.run(x, p)
+        return *self.solver.solve(x, p, SURE), self.solver.motion.run(x, p)
 
     def extend(self, to: Array) -> None:
         """Lay the paths past times ``to`` (samples,), as far as they go."""
@@ -104,13 +105,14 @@ class SamplePaths:
         u, rate = self.u[:, todo, last], self.rate[:, todo, last]
         # Predictor of second order: rates and half their rate of change, estimated over the last step.
         there, guess = here + step, u + step * (rate + step * self.bend[:, todo])
-        found, ending = self._solved(todo, there, guess)
+        found, sure, ending = self._solved(todo, there, guess)
         moved = self.solver.largest_step
         # Three errors over what is allowed: the correction by Newton, the length of the step, and how far the step
         # differs from the trapezoidal rule. The last one measures the error of the cubic interpolation.
         off = moved(found - guess, found) / CLOSE
         off = np.maximum(off, moved(found - u, found) / STRIDE)
         off = np.maximum(off, moved(found - u - step * (rate + ending) / 2, found) / NEAR)
+        off[~sure] = np.inf
         # Append accepted poses to the paths of their samples, with the rates there.
         good = np.flatnonzero(off < 1)
         met, place = todo[good], last[good] + 1

@@ -50,11 +50,17 @@ def _solve(stage: NewtonStage, closure: ClosureValues, x: Array, p: Array) -> No
 
 def steps(slope: Array, gap: Array) -> Array:
     """Newton's step at each pose, (n, poses); NaN where the slopes are singular or unknown."""
-    step = np.full(gap.shape, np.nan)
-    known = np.asarray(np.isfinite(slope).all(axis=(1, 2)) & np.isfinite(gap).all(axis=1))
+    return quotients(slope, gap[..., None])[..., 0].T
+
+
+def quotients(slope: Array, right: Array) -> Array:
+    """What times the slopes (poses, n, n) makes the right sides, (poses, n, m) both; NaN where the slopes are singular,
+    or something is unknown."""
+    found = np.full(right.shape, np.nan)
+    known = np.asarray(np.isfinite(slope).all(axis=(1, 2)) & np.isfinite(right).all(axis=(1, 2)))
     try:
-        step[known] = np.linalg.solve(slope[known], gap[known][..., None])[..., 0]
+        found[known] = np.linalg.solve(slope[known], right[known])
     except np.linalg.LinAlgError:
         known[known] = np.linalg.det(slope[known]) != 0
-        step[known] = np.linalg.solve(slope[known], gap[known][..., None])[..., 0]
-    return step.T
+        found[known] = np.linalg.solve(slope[known], right[known])
+    return found
