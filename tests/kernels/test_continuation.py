@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from helpers.compiled import compiled_from
+from linkwright.graph.rows import determinants
 from linkwright.kernels.step_certificate import bending, signs
 
 SI = {"length": "m", "angle": "rad", "mass": "kg", "time": "s", "force": "N", "torque": "N*m"}
@@ -77,6 +78,17 @@ def test_pin_on_arc_keeps_to_its_side_of_the_line_from_the_centre(gap: float, po
     b = CRANK * np.array([np.cos(1.0 + SPEED * t), np.sin(1.0 + SPEED * t)])
     assert np.abs(c - on_arc(b, CRANK * (1 + gap), np.ones(t.size))).max() < 1e-9
     assert c[1].min() >= 0 or gap > 0.01
+
+
+@pytest.mark.parametrize("gap", [0.5, 1e-1, 1e-3])
+def test_margin_of_one_equation_is_the_sine_of_the_transmission_angle(gap: float) -> None:
+    compiled = compiled_from(pin_on_arc(gap * CRANK))
+    t = np.linspace(0.0, 3.3, 51)
+    (margin,) = np.abs(compiled.evaluate(determinants(compiled.structure), t))
+    b, c = compiled.evaluate(["B.x", "B.y", "C.x", "C.y"], t).reshape(2, 2, -1)
+    coupler, radius = c - b, c - np.array([[GROUND], [0.0]])
+    sine = (coupler[0] * radius[1] - coupler[1] * radius[0]) / np.hypot(*coupler) / np.hypot(*radius)
+    assert margin == pytest.approx(np.abs(sine), rel=1e-9)
 
 
 @pytest.mark.parametrize("gap", GAPS)

@@ -43,9 +43,11 @@ class Factor:
         """The determinant, up to a sign that never changes."""
         if not self.symbolic:
             return float(np.linalg.det(self.matrix))
+        import casadi as ca
+
         # CasADi's diagonal of R is not negative: the sign is that of the reflections I - beta v v', of which each has
         # the determinant 1 - beta v'v, which is -1, or 1 where there was nothing to reflect.
         (v, r, beta), product = self.qr[:3], 1.0
         for i in range(self.size):
-            product = product * r[i, i] * (1.0 - beta[i] * sum((entry * entry for entry in v[:, i].nz[:]), 0.0))
+            product = product * r[i, i] * (1.0 - beta[i] * ca.sumsqr(v[:, i]))
         return product
