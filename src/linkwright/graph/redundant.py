@@ -48,6 +48,8 @@ POSES, TURN, SHIFT = 12, 0.6, 0.2
 """The poses looked at along the motion; how far the drives go on it (rad, or lengths over the size)."""
 FULL_TURN_POSES, HALVINGS = 25, 3
 """The poses looked at along a full turn of a drive; how often the step between two is halved."""
+REACHES = (1.0, 0.1, 0.01)
+"""The shares of a full turn that are looked at, each where the longer one leads through a singular pose."""
 SOUND = 0.03
 """The least share of the clearest force in the states of self-stress, over a full turn, that is clear of zero."""
 LONGEST = 1e4
@@ -117,8 +119,9 @@ def _agreement(quantities: Quantities, structure: Structure, values: Values) -> 
     z, miss = close_joints(system, near)
     if not miss < NEARLY or np.abs(system.pose_difference(z, near)).max() > FAR:
         return None  # joints that miss, or that close in another assembly mode only
-    if miss < HOLDS and (over_turn := _over_full_turn(quantities, system, z, values)) is not None:
-        return over_turn
+    for reach in REACHES if miss < HOLDS else ():
+        if (over_turn := _over_turn(quantities, system, z, values, reach)) is not None:
+            return over_turn
     # The states of self-stress at the start alone, then along the motion that the first choice leaves.
     for order in range(3):
         spare = SpareEquations(system, [z])
@@ -149,10 +152,12 @@ def _agreeing(
     return Agreement(made, chosen, misses, poses, spare)
 
 
-def _over_full_turn(quantities: Quantities, system: Constraints, z: Array, values: Values) -> Agreement | None:
-    """What may be left out so that the rest stays away from singular poses over a full turn of the drives, or as far as
-    they go; ``None`` where nothing does."""
-    poses = _followed(system, z, values)
+def _over_turn(
+    quantities: Quantities, system: Constraints, z: Array, values: Values, reach: float
+) -> Agreement | None:
+    """What may be left out so that the rest stays away from singular poses over this share of a full turn of the
+    drives, or as far as they go; ``None`` where nothing does."""
+    poses = _followed(system, z, values, reach)
     system.set_drive_values(values(0.0))
     if len(poses) < POSES:
         return None
@@ -180,11 +185,11 @@ def _joints_of(chosen: list[Candidate]) -> tuple[str, ...]:
     return tuple(dict.fromkeys(one.release.joint for one in chosen))
 
 
-def _followed(system: Constraints, z: Array, values: Values) -> list[tuple[float, Array]]:
+def _followed(system: Constraints, z: Array, values: Values, reach: float) -> list[tuple[float, Array]]:
     """Poses along the motion at which all joints hold, with their times, by Gauss-Newton on all equations: these have
     full rank where the equations that are kept may not."""
-    span = _span(system, values, 2 * math.pi)
-    times = np.linspace(0.0, span, FULL_TURN_POSES)
+    span = _span(system, values, 2 * math.pi) * reach
+    times = np.linspace(0.0, span, FULL_TURN_POSES if reach == 1.0 else POSES)
     found = [(0.0, z)]
     for time in times[1:]:
         begun, (last, z) = len(found), found[-1]

@@ -23,7 +23,11 @@ from linkwright.structure import Release
 Array = NDArray[np.float64]
 
 CLEAR = 0.2
-"""The least share of the clearest force in the states of self-stress that an equation may have to be left out."""
+"""The least force in the states of self-stress that an equation may have to be left out, over its largest one along the
+motion: it stays clear of zero."""
+SMALL = 1e-3
+"""The least of these forces over the clearest one of all equations: in a lift of many stages those of a guide are small
+everywhere."""
 NOTHING = 1e-6
 """Forces below this in a state of self-stress of size 1 are none."""
 WHOLE_FIRST = 3
@@ -102,11 +106,13 @@ class SpareEquations:
         chosen: list[Candidate] = []
         taken: set[tuple[str, str]] = set()
         while sum(one.count for one in chosen) < self.states:
-            clear = [min((_least(part) for part in of), default=0.0) for of in forces]
+            along = [[_least(part) for part in of] for of in forces]
+            clear = [min(of, default=0.0) for of in along]
             best = max(clear, default=0.0)
             if best < self.least:
                 return None
-            i = next(i for i, share in enumerate(clear) if share >= CLEAR * best)
+            steady = (i for i, of in enumerate(along) if clear[i] >= max(CLEAR * max(of, default=0.0), SMALL * best))
+            i = next(steady, clear.index(best))
             chosen.append(candidates[i])
             taken |= {(candidates[i].release.joint, link) for link in candidates[i].release.links[1:]}
             # What the others tell besides: their forces less those in the states that are told already.
