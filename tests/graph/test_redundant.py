@@ -305,3 +305,47 @@ def test_undetermined_reactions_have_no_values_in_python() -> None:
     for rows in (compiled.evaluate(names, T), run.evaluate(names, T), *compiled.rates(names, T), *run.rates(names, T)):
         assert np.isnan(rows[:2]).all()
         assert np.isfinite(rows[2:]).all()
+
+
+# What a stiffness can be stated of.
+
+
+@pytest.mark.parametrize(
+    ("stiffness", "code", "path"),
+    [
+        ({"joints": "1 kN/mm", "up": "1 kN/mm"}, "stiffness.link", ("stiffness", "up")),  # a roller besides two pins
+        ({"joints": "1 kN/mm", "guide": {"value": 1, "tilt": 1}}, "stiffness.tilt", ("stiffness", "guide", "tilt")),
+        ({"guides": "1 kN/mm"}, "name.unknown", ("stiffness", "guides")),
+        ({"guide": "1 kN"}, "expression.units-conflict", ("stiffness", "guide")),
+        ({"guide": "-1 kN/mm"}, "value.too-small", ("stiffness", "guide")),
+    ],
+)
+def test_stiffness_that_cannot_be(stiffness: Any, code: str, path: tuple[str, ...]) -> None:
+    findings = refused({**data_of(SCISSOR), "stiffness": stiffness})
+    assert (code, path) in [(f.code, f.path[: len(path)]) for f in findings]
+
+
+@pytest.mark.parametrize(
+    ("stiffness", "code"),
+    [
+        ({"joints": "1 kN/mm", "guide": "equal"}, "stiffness.mixed"),
+        ({"guide": {"tilt": 1}}, "stiffness.value"),
+        ({"guide": {"value": 1, "equal": True}}, "stiffness.value"),
+    ],
+)
+def test_stiffness_that_is_not_clear(stiffness: Any, code: str) -> None:
+    with pytest.raises(ValueError, match=code):
+        Document.model_validate({**data_of(SCISSOR), "stiffness": stiffness})
+
+
+def test_a_link_that_is_loaded_has_no_stiffness() -> None:
+    loads = {"p": {"on": "crank3", "at": "B3", "force": [0, -10]}}
+    stiffness = {"joints": "1 kN/mm", "crank3": "1 kN/mm"}
+    refusal = refused({**parallelogram(3), "loads": loads, "stiffness": stiffness})[0]
+    assert (refusal.code, refusal.path) == ("stiffness.loaded", ("stiffness", "crank3"))
+    assert (refusal.data["link"], refusal.data["name"]) == ("crank3", "p")
+
+
+def test_stiffness_of_what_is_not_redundant_is_remarked_on() -> None:
+    _, findings = examined({**parallelogram(2), "stiffness": "equal"})
+    assert [(f.code, f.severity) for f in findings] == [("stiffness.no-effect", "note")]

@@ -20,7 +20,11 @@ FEW = [(of, n) for n in (1, 2, 4) for of in ("foot", "arm", "platform")]
 def test_a_guided_lift_of_many_stages(driven: str, stages: int) -> None:
     compiled, (finding,) = examine(Document.model_validate(lift(stages, driven)))
     assert compiled is not None
-    assert (finding.code, finding.path, finding.data["states"]) == ("structure.redundant-joints", ("joints", "guide"), 1)
+    assert (finding.code, finding.path, finding.data["states"]) == (
+        "structure.redundant-joints",
+        ("joints", "guide"),
+        1,
+    )
     alpha, _ = angle(driven, T)
     for k in {1, stages}:
         p = compiled.evaluate([f"P{k}.x", f"P{k}.y", f"Q{k}.x", f"Q{k}.y"], T)

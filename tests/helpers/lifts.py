@@ -1,4 +1,4 @@
-"""Scissor lifts of any number of stages under a platform that a mast guides, and what is known of them in closed form."""
+"""Scissor lifts of any number of stages under a platform that a mast guides, and their motion in closed form."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ UNITS = {"length": "mm", "angle": "deg", "mass": "kg", "time": "s", "force": "N"
 LENGTH, ARM, PLATFORM, LOAD, G = 1.0, 10.0, 50.0, 1000.0, 9.81
 START = math.radians(15.0)
 SPEEDS = {"foot": 0.02, "arm": math.radians(1.0), "platform": 0.005}
-"""By what is driven: the roller at the foot towards the mast (m/s), the first arm (rad/s), the platform upward, per stage
-(m/s)."""
+"""By what is driven: the roller at the foot towards the mast (m/s), the first arm (rad/s), the platform upward, per
+stage (m/s)."""
 
 
 def lift(stages: int, driven: str) -> dict[str, Any]:

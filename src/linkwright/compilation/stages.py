@@ -95,7 +95,8 @@ def structure(q: Quantities, stated: Laws, named: bool, redundancy: bool) -> tup
     m = q.mechanism
     found = decompose(m) if named else Structure(Topology(m), ())
     if not (redundancy and found.findings):
-        return found, list(found.findings)
+        idle = redundancy and m.stiffness and not found.findings
+        return found, [Finding("stiffness.no-effect", ("stiffness",), severity="note")] if idle else [*found.findings]
     from linkwright.graph.redundant import redundant
 
     spared = redundant(q, found, partial(values_at, stated.drives))

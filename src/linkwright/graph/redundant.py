@@ -152,9 +152,7 @@ def _agreeing(
     return Agreement(made, chosen, misses, poses, spare)
 
 
-def _over_turn(
-    quantities: Quantities, system: Constraints, z: Array, values: Values, reach: float
-) -> Agreement | None:
+def _over_turn(quantities: Quantities, system: Constraints, z: Array, values: Values, reach: float) -> Agreement | None:
     """What may be left out so that the rest stays away from singular poses over this share of a full turn of the
     drives, or as far as they go; ``None`` where nothing does."""
     poses = _followed(system, z, values, reach)

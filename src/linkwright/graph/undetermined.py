@@ -14,10 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.graph.constraints import Constraints
-from linkwright.graph.sharing import elastic
+from linkwright.graph.shared_statics import SharedStatics
 from linkwright.graph.statics import Statics
 from linkwright.model.signals import Contact, Signals
-from linkwright.notation import Body, Pair, Wrench
 from linkwright.structure import SelfStress
 
 Array = NDArray[np.float64]
@@ -25,8 +24,6 @@ Component = tuple[str, str, str]
 
 TOUCHED = 1e-8
 """The least force, in a state of self-stress of size 1, by which a component isn't determined."""
-STRAINED = 1e-8
-"""The least strain, over the largest one, of a state that stiffness determines."""
 MOST, LISTED = 40, 6
 """The most components among which sums are looked for; the most sums that are listed."""
 
@@ -49,32 +46,7 @@ class Undetermined:
         """At each pose the states that no stiffness determines, orthonormal: (actions, states)."""
         if not self.system.topology.mechanism.stiffness:
             return [one.stresses for one in self.statics]
-        found = []
-        for one in self.statics:
-            strains = self._strains(one) @ one.stresses
-            _, values, v = np.linalg.svd(strains)
-            rank = int(np.count_nonzero(values > STRAINED * values.max(initial=0.0)))
-            found.append(one.stresses @ v[rank:].T)
-        return found
-
-    def _strains(self, statics: Statics) -> Array:
-        """What yields, each by the root of its compliance: (components, actions)."""
-        contacts = {(c.joint, c.link): c for c in self.signals.contacts}
-        count = statics.multipliers.size
-
-        def reaction(joint: str, link: str) -> Wrench:
-            parts = statics.reaction(contacts[joint, link])
-            return Wrench(Pair(parts["x"], parts["y"]), parts.get("moment", np.zeros(count)), Pair(0.0, 0.0))
-
-        def body(link: str) -> Body:
-            return self.system.bodies([link], statics.z)[0]
-
-        rows = [
-            np.sqrt(float(of.compliance)) * np.asarray(row)
-            for of in elastic(self.system.geometry, self.system.topology, body)
-            for row in of.force(reaction)
-        ]
-        return np.array(rows).reshape(-1, count)
+        return [SharedStatics(one, self.signals).stresses for one in self.statics]
 
     @cached_property
     def _touched(self) -> dict[Component, list[Array]]:

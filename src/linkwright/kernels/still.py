@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from linkwright.data_classes import dataclass
 from linkwright.graph.constraints import Constraints
 from linkwright.graph.rows import Named
+from linkwright.graph.shared_statics import SharedStatics
 from linkwright.graph.statics import Statics
 from linkwright.graph.still import StillGraph
 from linkwright.kernels.compiled import Compiled
@@ -47,7 +48,12 @@ class Still(Compiled):
         assert self.system is not None
         program, t = self.standing.applied(), np.array([time])
         rows = KERNELS["numpy"](program).run(self.inputs(t), self.parameters)[:, 0].reshape(-1, 3)
-        return Statics(self.system, self.z, dict(zip((FRAME, *self.system.links), rows, strict=True)))
+        rigid = Statics(self.system, self.z, dict(zip((FRAME, *self.system.links), rows, strict=True)))
+        # Forces that follow from the size of others aren't linear in them: these are left as statics has them.
+        linear = rigid.multipliers.size == len(self.system.rows)
+        if not (self.mechanism.stiffness and linear and rigid.stresses.shape[1]):
+            return rigid
+        return SharedStatics(rigid, self.quantities.signals)
 
     def possible_rows(self, names: Sequence[Named], t: Array, rates: bool = False) -> Array:
         """The named rows at times ``t`` (s); NaN are those that depend on reactions, which :meth:`statics` gives."""

@@ -17,6 +17,7 @@ from linkwright.model.pins import pins
 from linkwright.model.places import find_typed_values
 from linkwright.model.references import KINDS, reference_faults
 from linkwright.model.slides import in_loops
+from linkwright.model.stiff_elements import stiff_element_faults
 from linkwright.model.tolerances import tolerance_faults
 from linkwright.model.values import check_values
 from linkwright.model.walk import Found, Reference
@@ -182,5 +183,5 @@ def _resisting(m: Mechanism) -> Iterator[Finding]:
                 yield Finding("friction.second-contact", one.path, {"name": name})
 
 
-_PARTS = (_parameters, _links, _collisions, _joints, _pins, _paths, _drives, _acting, _resisting)
+_PARTS = (_parameters, _links, _collisions, _joints, _pins, _paths, _drives, _acting, _resisting, stiff_element_faults)
 _SHORT = ("cylinders", "cams")

@@ -16,7 +16,7 @@ from linkwright.compilation.still import examine_still
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen
 from linkwright.expressions.typed_fields import Quantity
-from linkwright.findings import Finding, Joined
+from linkwright.findings import Finding, Joined, Term
 from linkwright.graph.statics import Statics
 from linkwright.kernels import Compiled
 from linkwright.kernels.still import Still
@@ -142,7 +142,12 @@ def _warnings(outcome: ReactionsOutcome, statics: Statics) -> Iterator[Finding]:
     m = outcome.compiled.mechanism
     if not any(wrench.any() for wrench in statics.wrenches.values()):
         yield Finding("reactions.no-load", ("loads",), severity="warning")
-    if outcome.states:
+    shared = m.stiffness and statics.stresses.shape[1] < outcome.states
+    if shared:
+        equal = any(entry.equal for entry in m.stiffness.values())
+        data = {"degree": outcome.states, "sharing": Term("redundant-equal" if equal else "redundant-shared")}
+        yield Finding("reactions.shared", ("stiffness",), data, severity="warning")
+    if outcome.states and (not shared or statics.stresses.shape[1]):
         named = dict.fromkeys(reaction.joint for reaction in outcome.reactions if reaction.value is None)
         data = {"degree": outcome.states, "joints": Joined(named)}
         yield Finding("reactions.indeterminate", ("joints",), data, severity="warning")

@@ -72,6 +72,22 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "The stiffness of {name} is 'equal', but that of others is a number: how they compare isn't known.",
         "Give every stiffness as a number, or all of them as equal.",
     ),
+    "stiffness.link": (
+        "{link} can't have a stiffness: only a link with exactly two joints, both pins, has one, along the line of these.",
+        "Remove this stiffness, or give one to the joints of {link}.",
+    ),
+    "stiffness.loaded": (
+        "{link} can't have a stiffness, since {name} acts on it: how much it deforms depends on where.",
+        "Let {name} act on another link of the same pin, or give a stiffness to the joints of {link}.",
+    ),
+    "stiffness.tilt": (
+        "{name} isn't a slide, so it has no stiffness in tilting.",
+        "Remove tilt.",
+    ),
+    "stiffness.no-effect": (
+        "The mechanism isn't redundant: its reactions don't depend on stiffness.",
+        "Remove stiffness if no redundant joint is missing in the model.",
+    ),
     "stiffness.not-enough": (
         "The stiffness given doesn't determine how redundant joints share the load. Still undetermined: {joints}.",
         "Give the stiffness of these joints too, and that of slides in tilting, or write stiffness: equal.",

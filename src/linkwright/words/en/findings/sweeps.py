@@ -93,8 +93,12 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     "reactions.indeterminate": (
         "The structure is statically indeterminate to degree {degree}: reactions of {joints} depend on the stiffness of "
         "its parts and have no value here.",
-        "No change is needed. To get all reactions, release supports (let one end slide) until the structure is "
-        "statically determinate.",
+        "No change is needed. To get all reactions, give the stiffness of the joints (stiffness), or release supports (let "
+        "one end slide) until the structure is statically determinate.",
+    ),
+    "reactions.shared": (
+        "The structure is statically indeterminate to degree {degree}. {sharing}",
+        "No change is needed.",
     ),
     "reactions.neutral": (
         "The joints allow motions ({motions}) on which the loads do no work: the structure is in equilibrium only "

@@ -64,6 +64,22 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "{name} 的刚度为 equal，而其余刚度为数值：无法比较二者的大小。",
         "所有刚度都给出数值，或都写 equal。",
     ),
+    "stiffness.link": (
+        "{link} 不能有刚度：只有恰好带两个运动副、且均为转动副的构件，才有沿两者连线的刚度。",
+        "删除该刚度，或改为给出 {link} 上各运动副的刚度。",
+    ),
+    "stiffness.loaded": (
+        "{link} 不能有刚度：{name} 作用于该构件，变形量取决于作用位置。",
+        "使 {name} 作用于同一销轴上的另一构件，或改为给出 {link} 上各运动副的刚度。",
+    ),
+    "stiffness.tilt": (
+        "{name} 不是移动副，没有倾转刚度。",
+        "删除 tilt。",
+    ),
+    "stiffness.no-effect": (
+        "机构没有冗余约束：约束反力与刚度无关。",
+        "若模型中没有遗漏冗余运动副，请删除 stiffness。",
+    ),
     "stiffness.not-enough": (
         "给出的刚度不足以确定冗余运动副如何分担载荷。仍不能确定：{joints}。",
         "补充这些运动副的刚度以及移动副的倾转刚度，或写 stiffness: equal。",

@@ -87,7 +87,11 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "reactions.indeterminate": (
         "结构为 {degree} 次静不定：{joints} 的约束反力取决于各部分的刚度，在此没有值。",
-        "无需修改。若需要全部约束反力，放松支座（例如使一端可以滑动），直至结构静定。",
+        "无需修改。若需要全部约束反力，给出各运动副的刚度（stiffness），或放松支座（例如使一端可以滑动），直至结构静定。",
+    ),
+    "reactions.shared": (
+        "结构为 {degree} 次静不定。{sharing}",
+        "无需修改。",
     ),
     "reactions.neutral": (
         "运动副允许 {motions} 种独立的运动，载荷在这些运动上不做功：结构仅在当前载荷下平衡。",
