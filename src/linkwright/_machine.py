@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from importlib import import_module
+from importlib.util import find_spec
 from typing import Any
 
 from linkwright.findings import Finding, ModelError
@@ -18,6 +19,11 @@ def needed(package: str, extra: str) -> Any:
         raise ModelError([Finding("file.needs-package", (), {"package": package, "extra": extra})]) from None
     except RuntimeError as error:  # some look for the user's home, which there may not be
         raise ModelError([Finding("file.package-fails", (), {"package": package, "reason": str(error)})]) from None
+
+
+def installed(package: str) -> bool:
+    """Whether there is a package; it isn't loaded for that."""
+    return find_spec(package) is not None
 
 
 def processors() -> int:

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import field, replace
 from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
 
 from linkwright import compilation
+from linkwright._machine import installed
 from linkwright.app.manifest import State
 from linkwright.app.results_folder import ResultsFolder, outdate
 from linkwright.data_classes import dataclass
 from linkwright.escape import json_text, line
 from linkwright.exports import Order, Target, read_exports
-from linkwright.findings import Finding, ModelError, raise_errors
+from linkwright.findings import Finding, Joined, ModelError, raise_errors
 from linkwright.kernels import Compiled
 from linkwright.model.desugar import with_file_paths
 from linkwright.model.document import Document, dump, located
@@ -178,6 +179,8 @@ class Job:
     folder: Path | None = None
     stopped: Stopped | None = None
     outdated: Path | None = None
+    unwritten: list[Finding] = field(default_factory=list)
+    """Of files that aren't written, since a package isn't installed that they need."""
 
     def __getattr__(self, name: str) -> Any:
         """The outcome of a study by its name; ``None`` where the file doesn't ask for it."""
@@ -188,7 +191,7 @@ class Job:
     @property
     def found(self) -> list[Finding]:
         """What the studies found: why a run isn't whole, and warnings."""
-        findings = found(self.outcomes)
+        findings = [*found(self.outcomes), *self.unwritten]
         return findings if self.examined.document is None else with_file_paths(self.examined.document, findings)
 
     @property
@@ -295,13 +298,18 @@ def _folder(examined: Examined, path: Path, how: Writing) -> ResultsFolder:
 
 def _write(job: Job, folder: ResultsFolder, how: Writing) -> None:
     document = job.examined.document
+    due = {study: how.files(STUDIES[study]) for study in job.outcomes}
+    lacking = {study: _lacking(files, job.outcomes[study], how) for study, files in due.items()}
+    job.unwritten = [finding for study, files in lacking.items() for finding in _unwritten(study, files)]
     if document is not None and drawn(job.outcomes) is not None:
         examined = job.examined
-        data = report_data(document, job.outcomes, examined.findings, examined.origin, examined.source)
+        data = report_data(
+            document, job.outcomes, [*examined.findings, *job.unwritten], examined.origin, examined.source
+        )
         folder.write(REPORT, page(data))
     for study, outcome in job.outcomes.items():
-        for name, file in how.files(STUDIES[study]).items():
-            if (made := file.make(outcome)) is not None:
+        for name, file in due[study].items():
+            if name not in lacking[study] and (made := file.make(outcome)) is not None:
                 folder.write(name, made)
     folder.write(SUMMARY, summary_text(job.summary) + "\n")
     for study, outcome in job.outcomes.items():
@@ -310,6 +318,22 @@ def _write(job: Job, folder: ResultsFolder, how: Writing) -> None:
     state: State = "interrupted" if job.stopped is not None else "failed" if job.examined.exit_code else "done"
     folder.done(job.outcomes, stores, state)
     job.folder = folder.path
+
+
+def _lacking(files: Mapping[str, FileOf], outcome: Any, how: Writing) -> dict[str, tuple[str, str]]:
+    """The usual files of an outcome that aren't written, by name, with the package that isn't installed and its extra.
+    One that is asked for is none of them: it ends in an error."""
+    needs = {name: file.needs for name, file in files.items() if file.needs and file.option not in how.asked}
+    lacking = {name: need for name, need in needs.items() if not installed(need[0])}
+    return {name: need for name, need in lacking.items() if files[name].due(outcome)}
+
+
+def _unwritten(study: str, files: Mapping[str, tuple[str, str]]) -> Iterator[Finding]:
+    """What is said of them: one note for each package."""
+    for need in dict.fromkeys(files.values()):
+        names = Joined(name for name, other in files.items() if other == need)
+        data = {"files": names, "package": need[0], "extra": need[1]}
+        yield Finding("file.unwritten", ("studies", study), data, severity="note")
 
 
 def summary_text(data: dict[str, Any]) -> str:

@@ -248,12 +248,14 @@ File = str | bytes | None
 @dataclass(frozen=True)
 class FileOf:
     """How a file is made of an outcome. ``option`` of the command speaks of it: without it, one that has to be
-    ``asked`` for isn't written, any other only where the package that it ``needs`` (with its extra) is there."""
+    ``asked`` for isn't written, any other only where the package that it ``needs`` (with its extra) is there; a run
+    says so of one that is ``due``, where an outcome has what it holds."""
 
     make: Callable[[Any], File]
     option: str = ""
     asked: bool = False
     needs: tuple[str, str] | None = None
+    due: Callable[[Any], bool] = bool
 
 
 def filled(block: Block) -> bool:

@@ -43,8 +43,8 @@ def test_a_groove_and_what_is_written_of_it() -> None:
     assert [str(row.name) for row in error.rows] == [
         f"{side} flank, {end}" for side in ("inner", "outer") for end in ("bottom", "top")
     ]
-    assert "(slot, ramp" in str(FILES["cam_fanuc.nc"](job.cam))
-    assert FILES["cam_siemens.mpf"](job.cam) is None
+    assert "(slot, ramp" in str(FILES["cam_fanuc.nc"].make(job.cam))
+    assert FILES["cam_siemens.mpf"].make(job.cam) is None
 
 
 @pytest.mark.parametrize(
@@ -66,7 +66,7 @@ def test_the_plate_around_a_groove() -> None:
     for radius, codes in ((95.8, ["cam.plate"]), (95.9, [])):
         outcome = performed(heat_seal(GROOVE, blank={"thickness": 12, "radius": radius, "groove": 8})).cam
         assert outcome is not None and [finding.code for finding in outcome.failures] == codes
-        assert (FILES["cam.step"](outcome) is None) == bool(codes)
+        assert (FILES["cam.step"].make(outcome) is None) == bool(codes)
     slot = outcome.first.outer_area - outcome.area
     assert outcome.first.volume == pytest.approx(0.012 * math.pi * radius**2 * 1e-6 - 0.008 * slot, rel=1e-12)
 
@@ -96,7 +96,7 @@ def test_an_undercut_outer_flank_is_told_once_with_what_mends_it() -> None:
     job = performed(groove())
     (finding,) = job.found
     assert finding.code == "cam.undercut" and "outer flank" in finding.what
-    assert not FILES["cam_grbl.nc"](job.cam)  # type: ignore[arg-type]
+    assert not FILES["cam_grbl.nc"].make(job.cam)  # type: ignore[arg-type]
     base = float(str(finding.data["base"]).split()[0])
     assert not performed(groove(base=base)).found and performed(groove(base=0.999 * base)).found
 
@@ -119,4 +119,4 @@ def test_a_wrong_depth_is_never_written(monkeypatch: pytest.MonkeyPatch) -> None
     job = performed(heat_seal(nc=NC, steps=90))
     assert [finding.code for finding in job.found] == ["nc.depth"]
     assert "1.2 mm deep, but 12 mm" in job.found[0].what
-    assert job.cam is not None and FILES["cam_grbl.nc"](job.cam) is None
+    assert job.cam is not None and FILES["cam_grbl.nc"].make(job.cam) is None

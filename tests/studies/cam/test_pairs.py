@@ -85,7 +85,7 @@ def test_the_second_disc_as_drawn_is_what_the_mechanism_moves(outcome: CamOutcom
     body = shapely.Polygon([place for element in second.contour for place in _ends(element)])
     gap = shapely.distance(body, shapely.points(1e3 * seen.real, 1e3 * seen.imag))
     assert gap == pytest.approx(9.0, abs=1e-3)
-    rows = list(csv.DictReader(io.StringIO(str(FILES["cam_second_profile.csv"](outcome)))))
+    rows = list(csv.DictReader(io.StringIO(str(FILES["cam_second_profile.csv"].make(outcome)))))
     places = np.array([[float(row[f"profile {axis} [m]"]) for axis in "xy"] for row in rows])
     assert shapely.distance(body.exterior, shapely.points(1e3 * places)).max() < 2e-3
     assert second.area * 1e6 == pytest.approx(body.area, rel=1e-4)
@@ -104,9 +104,9 @@ def test_all_that_is_made_of_one_disc_is_made_of_both(job: Job, outcome: CamOutc
     assert [finding.code for finding in outcome.failures] == ["cam.required"]
     assert "second_pitch_radius_min" in outcome.failures[0].what
     assert all(one.proven for plate in outcome.plates for one in plate.milled)
-    files = {name for name, content in FILES.items() if not name.endswith("step") and content(outcome) is not None}
+    files = {name for name, file in FILES.items() if not name.endswith("step") and file.make(outcome) is not None}
     assert files >= {"cam_grbl.nc", "cam_second_grbl.nc", "cam_second_profile.csv"}
-    first, second = (str(FILES[f"cam_{name}grbl.nc"](outcome)) for name in ("", "second_"))
+    first, second = (str(FILES[f"cam_{name}grbl.nc"].make(outcome)) for name in ("", "second_"))
     assert "SECOND DISC" in second and "SECOND" not in first
     assert ("SEEN FROM BEHIND" in first, "SEEN FROM BEHIND" in second) == (True, False)  # the first one is the mirrored
     entry = json.loads(json.dumps(job.summary["cam"], allow_nan=False))
@@ -125,13 +125,13 @@ def test_all_that_is_made_of_one_disc_is_made_of_both(job: Job, outcome: CamOutc
         assert chart.drawing in text if chart.content is None else f'data-chart="{chart.key}"' in text
     labels = [row[0] for table in blocks(shown, Table) for row in rows(table)]
     assert "grbl, second disc" in labels and "area inside the profile, second disc" in labels
-    picture = str(FILES["cam.svg"](outcome))
+    picture = str(FILES["cam.svg"].make(outcome))
     assert picture.count('circle class="follower"') == 3 and 'class="profile second"' in picture  # rollers and pivot
 
 
 def test_the_drawing_has_a_layer_for_each_disc(outcome: CamOutcome) -> None:
     ezdxf = pytest.importorskip("ezdxf")
-    space = ezdxf.read(io.StringIO(str(FILES["cam.dxf"](outcome)))).modelspace()
+    space = ezdxf.read(io.StringIO(str(FILES["cam.dxf"].make(outcome)))).modelspace()
     layers = {line.dxf.layer: len(line) for line in space.query("LWPOLYLINE")}
     assert layers == {"PROFILE": len(outcome.first.elements), "SECOND": len(outcome.plates[1].elements)}
 
@@ -179,7 +179,7 @@ def test_an_undercut_second_disc_is_refused_with_what_mends_it() -> None:
     assert finding.code == "cam.undercut" and finding.element == "cams.rider.second" and "second disc" in finding.what
     second = outcome.second
     assert second is not None and not second.has_profile and outcome.has_profile  # the first one is sound
-    assert FILES["cam_second_profile.csv"](outcome)
+    assert FILES["cam_second_profile.csv"].make(outcome)
     told = finding.data["base"].data
     data["cams"]["rider"]["second"]["base"] = told["base"]
     mended = outcome_of(data)
@@ -238,8 +238,8 @@ def test_a_yoke_fits_where_opposite_lifts_add_up(touch: str) -> None:
     assert found["yoke_span_min"] == pytest.approx(found["yoke_span_max"]) == pytest.approx(2 * start + 0.008)
     assert found["second_contact_force_max"] == pytest.approx(found["contact_force_max"])  # a mirror image in time
     assert outcome.pressed is not None and len(outcome.pressed.forces.reversals) == 2
-    ElementTree.fromstring(str(FILES["cam.svg"](outcome)))
-    assert not any("second" in name for name, content in FILES.items() if content(outcome) is not None)
+    ElementTree.fromstring(str(FILES["cam.svg"].make(outcome)))
+    assert not any("second" in name for name, file in FILES.items() if file.make(outcome) is not None)
 
 
 def test_a_yoke_with_play() -> None:

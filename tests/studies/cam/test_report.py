@@ -45,7 +45,7 @@ def outcome(job: Job) -> CamOutcome:
 
 def test_the_profile_as_a_table(outcome: CamOutcome) -> None:
     """Points a roller's radius apart along the normal, tangent to the normal, on the circles of the two dwells."""
-    rows = list(csv.DictReader(io.StringIO(str(FILES["cam_profile.csv"](outcome)))))
+    rows = list(csv.DictReader(io.StringIO(str(FILES["cam_profile.csv"].make(outcome)))))
     table = {key.split(" [")[0]: np.array([float(row[key]) for row in rows]) for key in rows[0]}
     assert table["theta"][[0, -1]].tolist() == [0, 360] and len(rows) == 721
     pitch, profile, normal = (np.stack([table[f"{n} x"], table[f"{n} y"]]) for n in ("pitch", "profile", "normal"))
@@ -61,7 +61,7 @@ def test_the_profile_as_a_table(outcome: CamOutcome) -> None:
 
 def test_the_motion_as_formulas(outcome: CamOutcome) -> None:
     """In degrees, as it says, over a turn of 1 s."""
-    text = str(FILES["cam_motion.txt"](outcome))
+    text = str(FILES["cam_motion.txt"].make(outcome))
     assert "lift in deg over t in s" in text and "sin, cos and tan take degrees" in text
     rows = [re.split(r" <=? t <=? |   +", line.strip()) for line in text.splitlines() if line.startswith("  ")]
     assert [float(row[0]) for row in rows] == pytest.approx([0, 0.25, 0.75, 345 / 360])
@@ -83,12 +83,12 @@ def test_a_file_in_radians_has_its_motion_in_degrees_too() -> None:
     data["laws"]["swing"]["segments"] += [{"fall": "12 deg", "over": "75 deg", "law": "cycloidal"}, {"dwell": "15 deg"}]
     found = performed(data).cam
     assert found is not None
-    assert "48*t - 1.90985931710274*sin(1440*t)" in str(FILES["cam_motion.txt"](found))
+    assert "48*t - 1.90985931710274*sin(1440*t)" in str(FILES["cam_motion.txt"].make(found))
 
 
 def test_the_drawing(outcome: CamOutcome) -> None:
     ezdxf = pytest.importorskip("ezdxf")
-    drawing = ezdxf.read(io.StringIO(str(FILES["cam.dxf"](outcome))))
+    drawing = ezdxf.read(io.StringIO(str(FILES["cam.dxf"].make(outcome))))
     (line,) = drawing.modelspace().query("LWPOLYLINE")
     assert line.closed and len(line) == len(outcome.first.elements)
     (bore,) = drawing.modelspace().query("CIRCLE")
@@ -102,7 +102,7 @@ def test_the_drawing_has_the_keyway(outcome: CamOutcome) -> None:
         blank = {"thickness": 12, "bore": 10, "key_width": 6, "key_depth": 2.8, "key_angle": "30 deg"}
         found = performed(heat_seal(blank=blank, drawing=drawing, tolerance="1e-3 mm", steps=36)).cam
         assert found is not None
-        space = ezdxf.read(io.StringIO(str(FILES["cam.dxf"](found)))).modelspace()
+        space = ezdxf.read(io.StringIO(str(FILES["cam.dxf"].make(found)))).modelspace()
         (bore,) = space.query('LWPOLYLINE[layer=="BORE"]')
         assert bore.closed and not space.query("CIRCLE")
         far = max(bore.get_points("xy"), key=lambda place: math.hypot(*place))
@@ -117,7 +117,7 @@ def test_summary_and_page(job: Job, outcome: CamOutcome) -> None:
     assert entry["volume"]["value"] == pytest.approx((outcome.area * 1e6 - math.pi * 100) * 12)
     assert np.shape(entry["size"]["map"]["margins"]) == (3, 3)
     assert entry["nc"]["grbl"]["written"] and entry["checks"][0]["limit"] is None
-    ElementTree.fromstring(str(FILES["cam.svg"](outcome)))
+    ElementTree.fromstring(str(FILES["cam.svg"].make(outcome)))
     assert job.examined.document is not None
     data = report_data(job.examined.document, job.outcomes)
     (pictures,) = blocks(report(outcome), Charts)
@@ -133,7 +133,7 @@ def test_an_undercut_cam_is_reported(tmp_path: Path) -> None:
     job = performed(heat_seal({"base": 20, "roller": 30, "sense": "counter-clockwise"}, blank={"thickness": 12}, nc=NC))
     assert job.cam is not None and job.examined.document is not None
     assert "no profile" in page(report_data(job.examined.document, job.outcomes))
-    written = {name for name, content in FILES.items() if content(job.cam) is not None}
+    written = {name for name, file in FILES.items() if file.make(job.cam) is not None}
     assert written == {"cam_profile.csv", "cam.svg", "cam_motion.txt"}
 
 

@@ -116,7 +116,7 @@ def test_the_drawing_of_a_groove_has_both_flanks(drawing: str, kind: str) -> Non
     ezdxf = pytest.importorskip("ezdxf")
     job = performed(heat_seal({"closed": "groove"}, drawing=drawing))
     assert job.cam is not None
-    space = ezdxf.read(io.StringIO(FILES["cam.dxf"](job.cam))).modelspace()
+    space = ezdxf.read(io.StringIO(FILES["cam.dxf"].make(job.cam))).modelspace()
     reach = {}
     for layer in ("PROFILE", "FLANK"):
         some = space.query(f'{kind}[layer=="{layer}"]')
@@ -139,7 +139,7 @@ def test_a_wrong_file_is_never_written(monkeypatch: pytest.MonkeyPatch, change: 
     outcome = study(heat_seal(nc=NC, steps=180))
     assert [finding.code for finding in outcome.failures] == [code]
     assert [one.proven for one in outcome.milled] == [False]
-    assert FILES["cam_grbl.nc"](outcome) is None
+    assert FILES["cam_grbl.nc"].make(outcome) is None
 
 
 def test_the_cam_in_its_link_is_what_the_mechanism_moves() -> None:

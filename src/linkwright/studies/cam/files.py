@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from importlib.util import find_spec
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +21,7 @@ from linkwright.formulas.motor import motor, unit_of
 from linkwright.formulas.pieces import TooManyError, Unfolding
 from linkwright.formulas.terms import T, number
 from linkwright.model.csv_text import cell, head, table_text
+from linkwright.presentation.blocks import FileOf
 from linkwright.studies.cam.outcome import CamOutcome
 from linkwright.studies.cam.picture import still
 from linkwright.studies.cam.plate import Plate
@@ -67,11 +67,21 @@ def _columns(outcome: CamOutcome, plate: Plate) -> Iterator[tuple[str, Array]]:
     yield head("pressure angle", angle), np.broadcast_to(look.pressure.d[0], count) / deg
 
 
+def has_drawing(outcome: CamOutcome) -> bool:
+    """Whether there is a profile to draw."""
+    return any(plate.has_profile for plate in outcome.plates)
+
+
+def has_solid(outcome: CamOutcome, plate: Plate) -> bool:
+    """Whether a disc has a blank that it can be made of."""
+    return outcome.stated.blank is not None and plate.volume is not None and plate.fits
+
+
 def cam_dxf(outcome: CamOutcome) -> str | None:
-    """The drawing in mm, of both discs where there are two; nothing where ezdxf isn't installed."""
-    made = [plate for plate in outcome.plates if plate.has_profile]
-    if not made or find_spec("ezdxf") is None:
+    """The drawing in mm, of both discs where there are two; nothing where there is no profile."""
+    if not has_drawing(outcome):
         return None
+    made = [plate for plate in outcome.plates if plate.has_profile]
     blank = outcome.stated.blank
     circles: dict[str, list[Circle]] = {}
     bores: dict[str, Sequence[Element]] = {}
@@ -93,9 +103,9 @@ def cam_dxf(outcome: CamOutcome) -> str | None:
 
 
 def cam_step(outcome: CamOutcome, plate: Plate) -> bytes | None:
-    """The solid in mm; nothing where build123d isn't installed, or no blank is stated."""
+    """The solid in mm; nothing where no blank is stated, or it doesn't fit."""
     blank = outcome.stated.blank
-    if blank is None or plate.volume is None or not plate.fits or find_spec("build123d") is None:
+    if blank is None or not has_solid(outcome, plate):
         return None
     return step(solid(plate.contour, blank, plate.flank))
 
@@ -128,15 +138,25 @@ def _second(made: OfPlate) -> Callable[[CamOutcome], Content]:
     return lambda outcome: None if outcome.second is None else made(outcome, outcome.second)
 
 
-FILES: dict[str, Callable[[CamOutcome], str | bytes | None]] = {
-    "cam_profile.csv": _first(profile_csv),
-    "cam.svg": still,
-    "cam.dxf": cam_dxf,
-    "cam.step": _first(cam_step),
-    "cam_motion.txt": motion_text,
-    **{f"cam_{name}.{post.suffix}": _first(nc(name)) for name, post in POSTS.items()},
-    "cam_second_profile.csv": _second(profile_csv),
-    "cam_second.step": _second(cam_step),
-    **{f"cam_second_{name}.{post.suffix}": _second(nc(name)) for name, post in POSTS.items()},
+def _first_solid(outcome: CamOutcome) -> bool:
+    return has_solid(outcome, outcome.first)
+
+
+def _second_solid(outcome: CamOutcome) -> bool:
+    return outcome.second is not None and has_solid(outcome, outcome.second)
+
+
+_EZDXF, _BUILD123D = ("ezdxf", "cad"), ("build123d", "cad")
+
+FILES: dict[str, FileOf] = {
+    "cam_profile.csv": FileOf(_first(profile_csv)),
+    "cam.svg": FileOf(still),
+    "cam.dxf": FileOf(cam_dxf, "dxf", needs=_EZDXF, due=has_drawing),
+    "cam.step": FileOf(_first(cam_step), "step", needs=_BUILD123D, due=_first_solid),
+    "cam_motion.txt": FileOf(motion_text),
+    **{f"cam_{name}.{post.suffix}": FileOf(_first(nc(name))) for name, post in POSTS.items()},
+    "cam_second_profile.csv": FileOf(_second(profile_csv)),
+    "cam_second.step": FileOf(_second(cam_step), "step", needs=_BUILD123D, due=_second_solid),
+    **{f"cam_second_{name}.{post.suffix}": FileOf(_second(nc(name))) for name, post in POSTS.items()},
 }
 """By name."""

@@ -18,7 +18,7 @@ from linkwright.cam.splines import splines
 from linkwright.expressions import units as u
 from linkwright.findings import Finding, Joined, Term
 from linkwright.kernels import Compiled
-from linkwright.presentation.blocks import FileOf, StudyReport
+from linkwright.presentation.blocks import StudyReport
 from linkwright.studies.cam.closure_forces import cam_and_closing
 from linkwright.studies.cam.figures import CamFigure, every
 from linkwright.studies.cam.files import FILES
@@ -59,7 +59,7 @@ class CamStudy(Study):
     options = CamOptions
     rank = 7
     command = Command([Setting("post", ("nc", "post"), several=True)])
-    files = {name: FileOf(make) for name, make in FILES.items()}
+    files = FILES
 
     def without(self, wrong: set[str]) -> set[str] | None:
         """The keys to leave out where some are wrong in form; ``None`` where nothing can be judged then."""

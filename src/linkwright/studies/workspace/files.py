@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 import json
 from collections.abc import Callable, Iterator
-from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
@@ -143,9 +142,14 @@ class Reaching:
         return self.box.wrapped(a + share * (b - a)), [self.kinds[i] for i in nearest.tolist()]
 
 
+def has_workspace(outcome: WorkspaceOutcome) -> bool:
+    """Whether there is a region or curve to draw."""
+    return bool(outcome.workspaces)
+
+
 def dxf(outcome: WorkspaceOutcome) -> str | None:
-    """The rings as closed polylines, a layer for each mode and its values; nothing where ezdxf isn't installed."""
-    if not outcome.workspaces or find_spec("ezdxf") is None:
+    """The rings as closed polylines, a layer for each mode and its values; nothing where none was computed."""
+    if not has_workspace(outcome):
         return None
     ezdxf, units = needed("ezdxf", "cad"), needed("ezdxf.units", "cad")
 
@@ -197,7 +201,7 @@ FILES = {
     "workspace.geojson": FileOf(geojson),
     "workspace.svg": FileOf(svg),
     "workspace_boundary.csv": FileOf(boundary_csv),
-    "workspace.dxf": FileOf(dxf, "dxf", needs=("ezdxf", "cad")),
+    "workspace.dxf": FileOf(dxf, "dxf", needs=("ezdxf", "cad"), due=has_workspace),
     **{name: FileOf(make) for name, make in PARTS.items()},
     "workspace.png": _png(svg),
     "workspace_trajectories.png": _png(trajectories_svg),

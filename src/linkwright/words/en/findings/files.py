@@ -30,6 +30,11 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "This needs the package {package}, which isn't installed.",
         'Install it: pip install "linkwright[{extra}]".',
     ),
+    "file.unwritten": (
+        "Not written, since the package {package} isn't installed: {files}.",
+        'Install it: pip install "linkwright[{extra}]"; in a clone, with the Python of .venv: '
+        'python -m pip install -e ".[{extra}]".',
+    ),
     "file.too-large": (
         "The file is larger than {limit} bytes, the limit for a model file.",
         "Put long tables into CSV files beside the model and name them under tables.",

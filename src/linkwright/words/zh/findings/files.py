@@ -29,6 +29,11 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "此功能需要软件包 {package}，但尚未安装。",
         '用以下命令安装：pip install "linkwright[{extra}]"。',
     ),
+    "file.unwritten": (
+        "未安装软件包 {package}，因此没有写出：{files}。",
+        '用以下命令安装：pip install "linkwright[{extra}]"；在仓库的克隆中，用虚拟环境（.venv）的 Python 运行'
+        ' python -m pip install -e ".[{extra}]"。',
+    ),
     "file.too-large": (
         "文件大小超过 {limit} 字节，即模型文件的上限。",
         "将较长的表存为 CSV 文件，放在模型文件旁，并在 tables 中引用。",
