@@ -98,6 +98,7 @@ class EfficiencyEntry(_OfEnergy):
     """The efficiency, of the work of useful loads."""
 
     reduction = "efficiency"
+    sentence = "measure.text.efficiency"
     efficiency: Elements
 
     @property
@@ -110,6 +111,7 @@ class ShareEntry(_OfEnergy):
     """The share of some elements of the energy given."""
 
     reduction = "share"
+    sentence = "measure.text.share"
     share: Elements
     useful: Elements
 

@@ -64,6 +64,8 @@ class Measure(Frozen):
 
     reduction: ClassVar[str]
     """The key that has the signal or the point: the name of the reduction."""
+    sentence: ClassVar[str] = "measure.text"
+    """The text that says what is asked for, of the reduction and the signal."""
     dimension: ClassVar[Dimension | None] = None
     """What the figure is, where it isn't of the kind of the signal."""
 
@@ -131,8 +133,7 @@ class Measure(Frozen):
     @property
     def description(self) -> Said:
         """What is asked for, for the reader."""
-        own = f"measure.text.{self.reduction}"
-        what = Said(own if known(own) else "measure.text", reduction=self.title, signal=self.subject)
+        what = Said(self.sentence, reduction=self.title, signal=self.subject)
         return Said("measure.text.window", what=what, window=self.window) if self.window else what
 
     def implied_expressions(self, mechanism: Any, name: str) -> Iterator[Use]:
