@@ -349,3 +349,113 @@ def test_a_link_that_is_loaded_has_no_stiffness() -> None:
 def test_stiffness_of_what_is_not_redundant_is_remarked_on() -> None:
     _, findings = examined({**parallelogram(2), "stiffness": "equal"})
     assert [(f.code, f.severity) for f in findings] == [("stiffness.no-effect", "note")]
+
+
+# Gears.
+
+
+def planets(count: int, **more: Any) -> dict[str, Any]:
+    """A planetary gear train with some equal planets: sun and planets of 24 teeth, a fixed ring of 72."""
+    links: dict[str, Any] = {
+        "frame": {"points": {"O": [0, 0]}},
+        "sun": {"points": {"O": [0, 0]}, "mass": 0.8, "shape": "disc 24 at O"},
+        "arm": {"points": {"O": [0, 0]}, "mass": 0.5, "com": [0, 0], "inertia": 1000},
+    }
+    joints, sketch = {}, {}
+    for i in range(count):
+        x, y = 48 * np.cos(2 * np.pi * i / count), 48 * np.sin(2 * np.pi * i / count)
+        links["arm"]["points"][f"P{i}"] = [float(x), float(y)]
+        points = {f"P{i}": [0, 0], f"Q{i}": [24, 0]}
+        links[f"planet{i}"] = {"points": points, "mass": 0.8, "shape": f"disc 24 at P{i}"}
+        inner = {"gears": ["sun", f"planet{i}"], "centres": ["O", f"P{i}"], "teeth": [24, 24]}
+        outer = {"gears": [f"planet{i}", "frame"], "internal": "frame", "centres": [f"P{i}", "O"], "teeth": [24, 72]}
+        joints |= {f"sun_{i}": {**inner, "carrier": "arm", "module": 2}}
+        joints |= {f"ring_{i}": {**outer, "carrier": "arm", "module": 2}}
+        sketch |= {f"P{i}": [float(x), float(y)], f"Q{i}": [float(x) + 24, float(y)]}
+    return {
+        "units": {**UNITS, "mass": "kg", "force": "N", "torque": "N*m"}, "links": links, "joints": joints,
+        "assembly": sketch, "loads": {"brake": {"on": "arm", "torque": -60}},
+        "drives": {"motor": {"turns": "sun", "on": "frame", "speed": "240 rpm", "start": "0 deg"}}, **more,
+    }  # fmt: skip
+
+
+def test_three_planets_between_sun_and_ring() -> None:
+    """Willis: four turns of the sun make one of the arm, so 15 N m hold 60; how the planets share them isn't known."""
+    compiled, finding = spared(planets(3))
+    assert str(finding.data["joints"]) == "ring_2, ring_1"
+    speed, torque = compiled.evaluate(["arm.omega", "motor.torque"], T)
+    np.testing.assert_allclose(speed, 2 * np.pi * 240 / 60 / 4, rtol=1e-12)
+    np.testing.assert_allclose(torque, 15.0, rtol=1e-9)
+    assert {"sun_0", "ring_2"} <= {joint for joint, _, _ in compiled.structure.self_stress.components}
+    assert certify(Run(compiled, 0.0, 0.5, 10)).sound()
+
+
+def test_teeth_that_push_apart_arent_shared_by_stiffness() -> None:
+    refusal = refused(planets(2, stiffness="equal"))[0]
+    assert (refusal.code, refusal.path) == ("stiffness.separating", ("stiffness",))
+
+
+# Carriages on one rail.
+
+
+def carriage(places: list[float], **more: Any) -> dict[str, Any]:
+    links = {
+        "frame": {"points": {"F": [0, 0]}},
+        "beam": {
+            "points": {f"C{i}": [x, 0] for i, x in enumerate(places)},
+            "mass": 20,
+            "com": [400, 0],
+            "inertia": 1e6,
+        },
+    }
+    joints = {
+        f"r{i}": {"pin_in_slot": ["beam", "frame"], "pin": f"C{i}", "straight": "F at 0"} for i in range(len(places))
+    }
+    ram = {"moves": "beam", "at": "C0", "on": "frame", "along": "F at 0", "position": "100 mm + 10 mm*t/(1 s)"}
+    return {
+        "units": {**UNITS, "mass": "kg", "force": "N", "torque": "N*m"}, "gravity": [0, "-9.81 m/s^2"], "links": links,
+        "joints": joints, "assembly": {f"C{i}": [x + 100, 0] for i, x in enumerate(places)}, "drives": {"ram": ram},
+        **more,
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("k", [[1, 1, 1], [1, 2, 0.5, 3]])
+def test_a_beam_on_rollers_shares_its_weight_by_their_stiffness(k: list[float]) -> None:
+    """A rigid beam on springs, which sinks and tilts."""
+    x = np.array([0, 500, 900, 1400][: len(k)])
+    stiffness: Any = "equal" if len(set(k)) == 1 else {f"r{i}": f"{one} kN/mm" for i, one in enumerate(k)}
+    compiled, finding = spared(carriage(x.tolist(), stiffness=stiffness))
+    assert finding.data["states"] == len(k) - 2
+    springs = np.array(k, dtype=float)
+    sunk, tilted = np.linalg.solve(
+        [[springs.sum(), springs @ x], [springs @ x, springs @ x**2]], 196.2 * np.array([1, 400])
+    )
+    upward = -compiled.evaluate([f"force(beam, frame, r{i}).y" for i in range(len(k))], T)
+    np.testing.assert_allclose(upward, np.outer(springs * (sunk + tilted * x), np.ones(T.size)), rtol=1e-9)
+    assert certify(Run(compiled, 0.0, 1.0, 10)).sound()
+
+
+# What dimensions miss by a little.
+
+
+@pytest.mark.parametrize("error", [1e-8, 3e-8, 1e-7, 3e-7, 1e-6, 1e-3])
+@pytest.mark.parametrize("kind", ["crank", "guide"])
+def test_a_small_error_is_either_proven_or_refused_with_its_size(error: float, kind: str) -> None:
+    """Between what the certificate proves and what contradicts there is no gap."""
+    data = parallelogram(3, 40 + error) if kind == "crank" else two_guides(-40 - error)
+    compiled, findings = examined(data)
+    if compiled is not None:
+        assert certify(Run(compiled, 0.0, 0.1, 10)).sound()
+        return
+    near = findings[-1]
+    assert near.code == "structure.nearly-redundant"
+    assert float(near.data["miss"]) == pytest.approx(error, rel=0.02)
+
+
+def test_a_singular_pose_of_what_remains_is_told_as_that() -> None:
+    """A third crank carries a parallelogram through its change point, where the other two alone may go either way."""
+    job = lw.run(
+        Document.model_validate({**parallelogram(3), "studies": {"cycle": {"duration": "0.6 s", "samples": 40}}})
+    )
+    assert [f.code for f in job.found] == ["motion.singular", "motion.redundant-joints"]
+    assert job.exit_code == 1

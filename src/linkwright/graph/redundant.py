@@ -38,6 +38,9 @@ Values = Callable[[float], Mapping[str, float]]
 
 HOLDS = 1e-9
 """Joints that miss by less than this share of the size hold."""
+AGREES = 1e-10
+"""What is left out agrees where it misses by less than this share of the size: closures are proven to 1e-9 of one that
+may be smaller."""
 NEARLY = 0.02
 """Joints that miss by less than this share of the size were meant to hold, it seems."""
 PARTS, TRIES = 12, 150
@@ -96,10 +99,12 @@ def redundant(quantities: Quantities, structure: Structure, values: Values) -> t
         found = None
     if found is None:
         return structure, findings
-    if found.worst < HOLDS and found.spare.on_drives < NEARLY * NEARLY:
+    if found.worst < AGREES and found.spare.on_drives < NEARLY * NEARLY:
         system = found.spare.system
         system.set_drive_values(values(0.0))
         left = Undetermined(system, found.poses[:: max(1, len(found.poses) // 6)], quantities.signals)
+        if quantities.mechanism.stiffness and (following := left.following):
+            return structure, [Finding("stiffness.separating", ("stiffness",), {"joints": Joined(following)})]
         if quantities.mechanism.stiffness and (open_joints := [*left.joints, *system.topology.closing_slides]):
             return structure, [Finding("stiffness.not-enough", ("stiffness",), {"joints": Joined(open_joints)})]
         return replace(found.structure, self_stress=left.self_stress), [_spared(found, left)]
@@ -164,6 +169,8 @@ def _over_turn(quantities: Quantities, system: Constraints, z: Array, values: Va
         found = _chosen(quantities, spare, order)
         if found is not None and spare.clear_of_zero(found[0]):
             agreement = _agreeing(found[1], found[0], poses, spare, values)
+            if not agreement.worst < AGREES / 10:  # what it misses is spread over all joints here
+                return None
             agreement.structure = replace(agreement.structure, spare_joints=_named(quantities, system, poses, found[0]))
             return agreement
     return None
@@ -454,6 +461,6 @@ def _nearly(found: Agreement, quantities: Quantities) -> Iterator[Finding]:
     """By what each spare joint misses."""
     unit, size = quantities.unit_of(LENGTH)
     for one, miss in zip(found.chosen, found.misses, strict=True):
-        if miss >= HOLDS:
+        if miss >= AGREES:
             data = {"joint": one.release.joint, "miss": f"{miss * found.spare.system.size / size:.3g}", "unit": unit}
             yield Finding("structure.nearly-redundant", ("joints", one.release.joint), data)

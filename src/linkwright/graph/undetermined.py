@@ -79,6 +79,17 @@ class Undetermined:
         """Their joints, in the order of the file."""
         return list(dict.fromkeys(c.joint for c in self.signals.contacts if self._of(c)))
 
+    @property
+    def following(self) -> list[str]:
+        """The joints that redundancy loads and that exert forces by the size of others, as teeth that push gears
+        apart: those aren't linear in what is shared."""
+        rows = np.array(self.system.rows)
+        return [
+            joint
+            for joint in dict.fromkeys(j for one in self.statics for j in one.acting_joints[rows.size :].tolist())
+            if any(np.abs(one.self_stresses[rows == joint]).max(initial=0.0) > TOUCHED for one in self.statics)
+        ]
+
     def _of(self, contact: Contact) -> list[str]:
         return [a for joint, link, a in sorted(self.components) if (joint, link) == (contact.joint, contact.link)]
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from linkwright.findings import Finding, Joined
+from linkwright.results import Run
 from linkwright.structure import Structure
 
 
@@ -12,3 +13,14 @@ def refused_redundant(structure: Structure, owner: object, path: tuple[str, str]
         return []
     joints = Joined(structure.spare_joints)
     return [Finding("structure.redundant-study", path, {"name": path[1], "joints": joints})]
+
+
+def with_redundant_joints(run: Run, findings: list[Finding]) -> list[Finding]:
+    """Findings on singular poses of a run; of a redundant mechanism with a remark that all joints together may have
+    none there."""
+    structure = run.compiled.structure
+    if not structure.releases:
+        return findings
+    path = ("joints", structure.spare_joints[0])
+    data = {"joints": Joined(structure.spare_joints)}
+    return [*findings, Finding("motion.redundant-joints", path, data, severity="warning")]

@@ -23,6 +23,7 @@ from linkwright.studies.friction_checks import FrictionLaws, self_locking, start
 from linkwright.studies.load_checks import contacts, outside, undefined
 from linkwright.studies.output_dead_centres import powerless
 from linkwright.studies.plausible import coincident, crossed
+from linkwright.studies.redundant import with_redundant_joints
 from linkwright.studies.registry import Study, register
 from linkwright.studies.run_context import NOWHERE, RunContext
 
@@ -60,17 +61,17 @@ class Cycle(Study):
         stop, _ = span(compiled, options)
         run = Run(compiled, 0.0, stop, options.samples)
         if always := singular_throughout(run):
-            return CycleOutcome(Result(run, always))
+            return CycleOutcome(Result(run, with_redundant_joints(run, always)))
         code = "motion.singular"
         if options.through == "keep":
             code = "motion.cannot-carry"
             run, kept = carry_through_change_points(run)
             if kept:
-                return CycleOutcome(Result(run, kept))
+                return CycleOutcome(Result(run, with_redundant_joints(run, kept)))
         if gaps := unassembled(run):
-            return CycleOutcome(Result(run, gaps))
+            return CycleOutcome(Result(run, with_redundant_joints(run, gaps)))
         if poses := singular(run, code):
-            return CycleOutcome(Result(run, poses))
+            return CycleOutcome(Result(run, with_redundant_joints(run, poses)))
         if stops := locked(run):
             return CycleOutcome(Result(run, stops))
         if dead := powerless(run):

@@ -85,6 +85,11 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "Change a length or a distance of the joints, so that the links aren't in line with their guides all the time; "
         "or replace one of the joints by a rigid connection and let another one slide.",
     ),
+    "motion.redundant-joints": (
+        "The motion is computed without redundant constraints of {joints}. Only the remaining constraints have this "
+        "singular position: with {joints} the mechanism may move through it.",
+        "End the motion before this position, or write through: keep in studies: cycle.",
+    ),
     "motion.cannot-carry": (
         "At t = {time} s ({drive} = {value} {unit}) {group} is in a singular position through which the motion can't "
         "be continued: the neighbouring poses don't define its limit.",

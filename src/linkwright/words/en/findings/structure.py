@@ -88,6 +88,11 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "The mechanism isn't redundant: its reactions don't depend on stiffness.",
         "Remove stiffness if no redundant joint is missing in the model.",
     ),
+    "stiffness.separating": (
+        "How {joints} share the load can't be computed from stiffness: teeth also push their gears apart, by a share of "
+        "the size of the tooth force.",
+        "Remove stiffness: motion, drive efforts and all determined reactions are computed without it.",
+    ),
     "stiffness.not-enough": (
         "The stiffness given doesn't determine how redundant joints share the load. Still undetermined: {joints}.",
         "Give the stiffness of these joints too, and that of slides in tilting, or write stiffness: equal.",

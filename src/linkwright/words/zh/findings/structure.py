@@ -80,6 +80,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "机构没有冗余约束：约束反力与刚度无关。",
         "若模型中没有遗漏冗余运动副，请删除 stiffness。",
     ),
+    "stiffness.separating": (
+        "不能按刚度计算 {joints} 如何分担载荷：齿轮啮合还产生径向分离力，与齿面切向力的大小成比例。",
+        "删除 stiffness：不给出刚度也能算出运动、驱动力（矩）和所有可以确定的约束反力。",
+    ),
     "stiffness.not-enough": (
         "给出的刚度不足以确定冗余运动副如何分担载荷。仍不能确定：{joints}。",
         "补充这些运动副的刚度以及移动副的倾转刚度，或写 stiffness: equal。",
