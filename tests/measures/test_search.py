@@ -27,7 +27,7 @@ def waves(*rates: float) -> search.Rates:
 
 
 def test_a_row_that_never_settles_is_bounded_and_the_others_are_complete() -> None:
-    found = turning(waves(20.0, 6e4), ALL, 64)
+    found = turning(waves(20.0, 6e4), [ALL, ALL], 64)
     assert found.settled == [True, False]
     assert found.times[0].size == 6  # maxima and minima of sin(20 t) in 0 .. 1
     assert found.times[1].size == MANY
@@ -38,7 +38,7 @@ def test_of_too_many_the_highest_and_the_lowest_are_located(monkeypatch: pytest.
     """With a bound of 8 on some 20 000 turns the values found are those of the end of the run, the largest."""
     monkeypatch.setattr(search, "MANY", 8)
     rates = waves(6e4)
-    found = turning(rates, ALL, 64)
+    found = turning(rates, [ALL], 64)
     assert not found.settled[0]
     values = rates(found.times[0])[0][0]
     assert found.times[0].size == 8

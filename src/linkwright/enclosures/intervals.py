@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 Operation = Callable[..., "Intervals"]
 
 ULPS = 8 * 2.0**-52
-TINY = 1e-300
+TINY, LARGEST = 1e-300, float(np.finfo(float).max)
 HALF_TURN = 3.1415926535897936
 """A number just above pi."""
 FARTHEST = 1e9
@@ -152,8 +152,11 @@ def _rounded(low: Any, high: Any) -> Intervals:
 
 
 def _widened(low: Any, high: Any, share: float = ULPS) -> Intervals:
+    # An end that has overflowed still bounds from inside: what is past the largest number is no less than it.
     with np.errstate(all="ignore"):
-        return Intervals(low - share * np.abs(low) - TINY, high + share * np.abs(high) + TINY)
+        low = np.minimum(low, LARGEST) - share * np.minimum(np.abs(low), LARGEST) - TINY
+        high = np.maximum(high, -LARGEST) + share * np.minimum(np.abs(high), LARGEST) + TINY
+    return Intervals(low, high)
 
 
 def _between(x: Intervals, least: float, most: float) -> Intervals:

@@ -28,10 +28,12 @@ def enclose(measurer: Measurer, results: Sequence[MeasureResult]) -> list[Measur
         claims = {result.name: claim for result in results if (claim := _claim(measurer, result)) is not None}
         if not claims:
             return list(results)
-        pieces = measurer.search.places.pieces
-        edges = np.concatenate([pieces.before, pieces.after]).tolist()
+        pieces = [measurer.search.places.pieces[claim.node] for claim in claims.values()]
+        edges = np.unique(np.concatenate([edge for one in pieces for edge in (one.before, one.after)])).tolist()
         proofs = dict(zip(claims, prove_all(measurer.run, [*claims.values()], edges, BUDGET), strict=True))
-        missed = [proof.refuted.time for proof in proofs.values() if proof.refuted is not None]
+        missed = {
+            claims[name].node: [proof.refuted.time] for name, proof in proofs.items() if proof.refuted is not None
+        }
         if not missed or look == LOOKS - 1:
             break
         measurer.look_at(missed)

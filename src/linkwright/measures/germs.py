@@ -70,6 +70,13 @@ class Germ:
         k = int((lead[0] - self.low) / self.step)
         return Germ(self.c[k:], self.e[k:], lead[0], self.step)
 
+    def shortened(self) -> Germ:
+        """The same, :meth:`stripped` where it is known which term leads."""
+        try:
+            return self.stripped()
+        except Undecided:
+            return self
+
     def __call__(self, s: Array) -> Array:
         """Its values at distances s > 0."""
         total = np.zeros_like(s)
@@ -85,13 +92,25 @@ class Germ:
         return 0.0 if lead is None else math.copysign(1.0, lead[1])
 
     def limit(self) -> tuple[float, Fraction]:
-        """The value towards s = 0, infinite with its sign for a pole, and the leading exponent."""
+        """The value towards s = 0, infinite with its sign for a pole, and the leading exponent. Raises
+        :class:`Undecided` where the known terms end before the constant one."""
         lead = self.leading()
-        if lead is None or lead[0] > 0:
-            return 0.0, Fraction(0) if lead is None else lead[0]
+        if lead is None:
+            # All known terms are zero: the value is too, if they reach as far as the constant term.
+            if self.low + self.c.size * self.step <= 0:
+                raise Undecided
+            return 0.0, Fraction(0)
+        if lead[0] > 0:
+            return 0.0, lead[0]
         if lead[0] < 0:
             return math.copysign(math.inf, lead[1]), lead[0]
         return lead[1], lead[0]
+
+    @property
+    def error(self) -> float:
+        """How far the constant term may be off; 0 where it isn't one of the series' terms."""
+        place = -self.low / self.step
+        return float(self.e[int(place)]) if place.denominator == 1 and 0 <= place < self.e.size else 0.0
 
     def on(self, step: Fraction) -> Germ:
         """The same on a finer step of exponents."""
@@ -150,7 +169,7 @@ class Germ:
     def __truediv__(self, other: Germ | float) -> Germ:
         if not isinstance(other, Germ):
             return self * (1.0 / float(other)) if float(other) != 0 else _raise()
-        return self * other._inverse()
+        return self.shortened() * other._inverse()
 
     def __rtruediv__(self, other: float) -> Germ:
         return self._inverse() * float(other)
@@ -176,9 +195,10 @@ class Germ:
                 return self ** float(value)
             return (self.elementary("log", self) * power).elementary("exp", self.elementary("log", self) * power)
         if power == int(power) and 0 <= power <= 8:
-            product = Germ.constant(1.0)
+            # Without the terms that are zero before the leading one, more of the others are kept.
+            factor, product = self.shortened(), Germ.constant(1.0)
             for _ in range(int(power)):
-                product = product * self
+                product = product * factor
             return product
         base = self.leading()
         if base is None:
@@ -201,7 +221,7 @@ class Germ:
         error = float(unit.e[0] / abs(unit.c[0])) * abs(float(power))
         series = total * first
         series = Germ(series.c, series.e + error * np.abs(series.c), series.low, series.step)
-        return Germ(series.c, series.e, series.low + unit.low * exponent, _common(series.step, exponent * unit.low))
+        return Germ(series.c, series.e, series.low + unit.low * exponent, series.step)
 
     def __rpow__(self, base: float) -> Germ:
         return self.elementary("exp", self * math.log(base)) if base > 0 else _raise()

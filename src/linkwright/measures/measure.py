@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import field, replace
 from functools import cached_property
 
@@ -29,7 +29,7 @@ class Measurer:
     run: Run
     measures: Sequence[BoundMeasure] | None = None
     findings: list[Finding] = field(default_factory=list)
-    _noticed: list[float] = field(default_factory=list)
+    _noticed: dict[Node, list[float]] = field(default_factory=dict)
     _probes: dict[tuple[Node, BoundWindow | None], Probe] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -42,9 +42,10 @@ class Measurer:
         trees = [tree for measure in self.by_name.values() for tree in measure.trees.values()]
         return Search(self.run, trees, self._noticed)
 
-    def look_at(self, times: Sequence[float]) -> None:
-        """Search again, closely at some times (s), and forget what was found."""
-        self._noticed += times
+    def look_at(self, times: Mapping[Node, Sequence[float]]) -> None:
+        """Search again, closely at some times (s) of expressions, and forget what was found."""
+        for node, some in times.items():
+            self._noticed.setdefault(node, []).extend(some)
         self.findings.clear()
         self._probes.clear()
         del self.search
@@ -99,7 +100,7 @@ class Measurer:
 
     def _flag(self, code: str, measure: BoundMeasure, time: float | None, severity: str = "error") -> None:
         text, second = self.run.compiled.quantities.unit_of(TIME)
-        width = f"{self.search.turning_points.width:.3g} s"
+        width = f"{self.search.width(measure.signal):.3g} s"
         data = {"name": measure.name, "signal": measure.entry.subject, "width": width}
         data["time"] = "-" if time is None else f"{time / second:.6g} {text}"
         self.findings.append(Finding(code, measure.path, data, severity=severity))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field
 from functools import cached_property
 from itertools import pairwise
@@ -14,7 +14,8 @@ from linkwright.data_classes import dataclass
 from linkwright.expressions.language import Node
 from linkwright.measures.means import MeanValue, StretchEnd, mean
 from linkwright.measures.places import BreakPlaces, Hard, vague
-from linkwright.measures.search import turning
+from linkwright.measures.round_off import reachable, vanishing
+from linkwright.measures.search import RunPieces, turning
 from linkwright.measures.sides import Side, Sides
 from linkwright.notation import Jet
 from linkwright.notation.angles import whole_turns
@@ -30,6 +31,12 @@ Rows = dict[str, tuple[Array, Array]]
 
 SAME = 1e-6
 """Values on a cut and beside it that differ by less than this share are those of a kink."""
+EQUAL = 1e-13
+"""Values that differ by less than this share are equal but for round-off."""
+SMOOTH = 0.01
+"""A step towards a cut is along the rate where the one before it strays from that by no more than this share."""
+ZERO_STEPS = 1 << 11
+"""What is zero but for round-off is that on a grid of at least so many steps."""
 FEW = 1 << 10
 """So many times are few: making a program costs more than computing all signals there."""
 KEPT = 256
@@ -48,16 +55,27 @@ class OneSidedLimits:
 
 
 class Search:
-    """What expressions (bound to SI) do over a run, searched for together, closely at ``noticed`` times (s) too."""
+    """What expressions (bound to SI) do over a run, evaluated together, closely at ``noticed`` times (s) too. What it
+    gives of one of them doesn't depend on the others."""
 
-    def __init__(self, run: Run, trees: Sequence[Node], noticed: Sequence[float] = ()) -> None:
+    def __init__(self, run: Run, trees: Sequence[Node], noticed: Mapping[Node, Sequence[float]] | None = None) -> None:
         self.run, self.trees = run, [*dict.fromkeys(trees)]
         self.signals = run.signals_of(self.trees)
-        self.places = BreakPlaces(run, self.trees, noticed)
-        self.turning_points = turning(lambda t: run.all_rates(self.trees, t), self.places.pieces, run.grid)
+        self.places = BreakPlaces(run, self.trees, noticed or {})
+        pieces = [self.places.pieces[tree] for tree in self.trees]
+        self._zero = self._vanishing_all(pieces)
+        """Which expressions are no more than round-off at every time."""
+        self.turning_points = turning(lambda t: run.all_rates(self.trees, t), pieces, run.grid, skip=self._zero)
         self._vague = vague(run, self.trees, np.linspace(run.start, run.stop, 257))
         self._limits: dict[Node, list[OneSidedLimits]] = {}
         self._rows: dict[bytes, Rows] = {}
+
+    def _vanishing_all(self, pieces: Sequence[RunPieces]) -> list[bool]:
+        """Which expressions vanish on their own grids: on a coarse one first, which clears most of them."""
+        zero = vanishing(self.run, self.trees, self.run.t)
+        for i, (tree, one) in enumerate(zip(self.trees, pieces, strict=True)):
+            zero[i] = zero[i] and vanishing(self.run, [tree], one.grid(max(self.run.grid, ZERO_STEPS)))[0]
+        return zero
 
     def rows(self, t: Array) -> Rows:
         """The signals of all expressions with their rates at few times; kept, as many measures ask for the same ones,
@@ -72,18 +90,32 @@ class Search:
 
     def stationary(self, node: Node) -> Array:
         """The times (s) at which an expression turns or may have a kink, ascending."""
-        pieces = self.places.pieces
+        pieces = self.places.pieces[node]
         return np.union1d(self.turning_points.times[self.trees.index(node)], (pieces.before + pieces.after) / 2)
+
+    def outermost(self, node: Node) -> Array:
+        """The times (s) of an expression's smallest and largest value on the last grid."""
+        return self.turning_points.outermost[self.trees.index(node)]
+
+    def width(self, node: Node) -> float:
+        """The width (s) of the steps on which an expression's search ended, or its round-off was looked at."""
+        if self.is_zero(node):
+            return (self.run.stop - self.run.start) / max(self.run.grid, ZERO_STEPS)
+        return self.turning_points.widths[self.trees.index(node)]
+
+    def is_zero(self, node: Node) -> bool:
+        """Whether an expression is no more than round-off of the terms that cancel in it, at every time."""
+        return self._zero[self.trees.index(node)]
 
     def settled(self, node: Node) -> bool:
         """Whether nothing more was found on the last, finer grids."""
         i = self.trees.index(node)
-        return self.places.settled and (self.turning_points.settled[i] or self._vague[i])
+        return self._zero[i] or (self.places.settled[node] and (self.turning_points.settled[i] or self._vague[i]))
 
     def limits(self, node: Node) -> list[OneSidedLimits]:
         """The places at which an expression may have other values on both sides, or none."""
         if node not in self._limits:
-            found = self._vanishing(node) + self._passed(node)
+            found = [] if self.is_zero(node) else self._vanishing(node) + self._passed(node)
             self._limits[node] = sorted(found, key=lambda place: place.time)
         return self._limits[node]
 
@@ -157,12 +189,19 @@ class Probe:
         """The times (s) at which the expression turns or may have a kink, over the whole run."""
         return self.search.stationary(self.node)
 
+    @property
+    def pieces(self) -> RunPieces:
+        """The run between the cuts of the expression."""
+        return self.search.places.pieces[self.node]
+
     def values(self, t: Array) -> Array:
-        """The expression at times, SI."""
+        """The expression at times, SI; zero where it is no more than round-off all along."""
         return np.asarray(self.jets(t).d[0])
 
     def jets(self, t: Array) -> Jet:
         """The expression with its rate; at few times by the program of all expressions, which is made already."""
+        if self.search.is_zero(self.node):
+            return Jet([np.zeros_like(t), np.zeros_like(t)])
         if self.ahead is not None:
             known, *ahead = self.ahead
             at = np.minimum(np.searchsorted(known, t), known.size - 1)
@@ -187,10 +226,9 @@ class Probe:
     @cached_property
     def peaks(self) -> list[Peak]:
         """Among which the extremes are: turning points, cuts, ends of the window, limits towards places."""
-        times, run = self._candidates, self.run
+        run = self.run
         sharp = 4 * float(np.finfo(float).eps) * max(abs(run.start), abs(run.stop))
-        found = [Peak(value, time, "") for value, time in zip(self.values(times).tolist(), times.tolist(), strict=True)]
-        found += self._beside()
+        found = self._peaks_at(self._candidates) + self._beside()
         for place in self.limits:
             # Limits from both sides of each place, as far as that side lies in an interval.
             for name, side, sign in (("before", place.before, -1), ("after", place.after, 1)):
@@ -204,26 +242,49 @@ class Probe:
                     s, values = side.near(place.time - a if sign < 0 else b - place.time)
                     t = place.time + sign * s
                     found += [Peak(v, at, "") for v, at in zip(values.tolist(), t.tolist(), strict=True)]
-        return found
+        # No value that was looked at lies outside of what is reported, but by round-off.
+        known = [peak.value for peak in found if not np.isnan(peak.value)] or [0.0]
+        low, high = min(known), max(known)
+        slack = EQUAL * max((abs(value) for value in known if np.isfinite(value)), default=0.0)
+        found += [peak for peak in self._peaks_at(self._seen) if not low - slack <= peak.value <= high + slack]
+        # No limit or series leads out of what the functions of the expression can give at all.
+        low, high = self._reachable
+        return [peak._replace(value=float(np.clip(peak.value, low, high))) for peak in found]
+
+    @cached_property
+    def _reachable(self) -> tuple[float, float]:
+        return reachable(self.run, self.node)
+
+    def _peaks_at(self, times: Array) -> list[Peak]:
+        return [Peak(value, time, "") for value, time in zip(self.values(times).tolist(), times.tolist(), strict=True)]
 
     @cached_property
     def _candidates(self) -> Array:
         """The times (s) of candidates: turning points and cuts inside the intervals, and the ends of these."""
-        run, pieces = self.run, self.search.places.pieces
-        inside = np.concatenate([self.stationary, (pieces.before + pieces.after) / 2])
-        inside = inside[np.logical_or.reduce([(a < inside) & (inside < b) for a, b in self.intervals])]
-        # Of a jump, a turning point or an end of the window only has a side, the inner one.
-        for before, after in run.jumps:
-            inside = inside[~((before < inside) & (inside < after))]
+        run, pieces = self.run, self.pieces
+        inside = self._inside(np.concatenate([self.stationary, (pieces.before + pieces.after) / 2]))
         # Ends of the intervals, moved off jumps to the inner side.
         ends = [edge for a, b in self.intervals for edge in (inner(run, a, 1), inner(run, b, 0))]
         # Drop times near singular places: there the one-sided limits or germs stand for the values.
         return self._away(np.unique(np.concatenate([inside, ends])))
 
     @cached_property
+    def _seen(self) -> Array:
+        """The run's own samples (s), and where the outermost values of the search's grid are, as far as they count."""
+        seen = self._inside(np.concatenate([self.run.t, self.search.outermost(self.node)]))
+        return np.setdiff1d(self._away(seen), self._candidates)
+
+    def _inside(self, t: Array) -> Array:
+        """The times inside the intervals; of a jump, a turning point only has a side."""
+        t = t[np.logical_or.reduce([(a < t) & (t < b) for a, b in self.intervals])]
+        for before, after in self.run.jumps:
+            t = t[~((before < t) & (t < after))]
+        return t
+
+    @cached_property
     def _sides(self) -> list[tuple[str, Array, Array]]:
         """The sides of cuts that count: which side, the times (s) there, and the middles of their cuts."""
-        pieces, found = self.search.places.pieces, []
+        pieces, found = self.pieces, []
         centres = (pieces.before + pieces.after) / 2
         for name, sides in (("before", pieces.before), ("after", pieces.after)):
             kept = np.logical_or.reduce([(a < sides) & (sides < b) for a, b in self.intervals])
@@ -234,7 +295,8 @@ class Probe:
     @property
     def times(self) -> Array:
         """All times (s) at which the extremes ask for values, ascending."""
-        return np.unique(np.concatenate([self._candidates, *(part for _, *two in self._sides for part in two)]))
+        sides = [part for _, *two in self._sides for part in two]
+        return np.unique(np.concatenate([self._candidates, self._seen, *sides]))
 
     def _beside(self) -> list[Peak]:
         """Both sides of cuts at which the expression jumps: where it goes towards each, along its rate there."""
@@ -242,8 +304,13 @@ class Probe:
         for name, t, centre in self._sides:
             if t.size:
                 jet = self.jets(t)
-                # Extrapolate along the rate to the cut: a difference to the value in its middle is a jump.
-                values = np.asarray(jet.d[0] + np.nan_to_num(jet.d[1]) * (centre - t))
+                # Extrapolate along the rate to the cut, where a rate further on shows that it is smooth there: a
+                # difference to the value in its middle is a jump.
+                here, step = np.asarray(jet.d[0]), np.asarray(jet.d[1]) * (centre - t)
+                with np.errstate(all="ignore"):
+                    before = np.clip(2 * t - centre, self.run.start, self.run.stop)
+                    straight = np.abs(here - self.values(before) - step) <= SMOOTH * np.abs(step)
+                values = np.where(straight, here + step, here)
                 there = self.values(centre)
                 jumps = ~(np.abs(values - there) <= SAME * np.abs(values))
                 for low, high in self.run.jumps:  # of a load's jump the middle doesn't count
@@ -280,7 +347,7 @@ class Probe:
 
     def finite(self) -> bool:
         """Whether the expression has a value all over the intervals, but for places where it is unbounded."""
-        pieces = self.search.places.pieces
+        pieces = self.pieces
         # Check on the grid and a few times of each interval, off the cuts and off unbounded places.
         t = pieces.grid(self.run.grid)
         t = t[~np.isin(t, np.concatenate([pieces.before, pieces.after]))]
@@ -321,7 +388,7 @@ class Probe:
 
     def _panels(self) -> Callable[[int], list[Array]]:
         """The edges of panels on each stretch between places with one-sided limits, by the number of panels a run."""
-        run, pieces = self.run, self.search.places.pieces
+        run, pieces = self.run, self.pieces
         # Panels also end at turning points, breaks and cuts, where the integrand is less smooth.
         turning = np.concatenate([self.stationary, run.breaks, (pieces.before + pieces.after) / 2, pieces.more])
 

@@ -2,12 +2,14 @@
 
 Exact rates are evaluated on a grid; a change of their sign between two points of one piece brackets a turning point.
 The grid is doubled until the number of brackets, or the extremes, stay the same. Further times (near singular poses, on
-both sides of places) belong to the grid at every level.
+both sides of places) belong to the grid at every level. Rows are evaluated together, yet each is looked at on a grid of
+its own and ends on a level of its own, so that what is found of one doesn't depend on the others.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -70,64 +72,117 @@ class RunPieces:
 
 @dataclass(frozen=True)
 class TurningTimes:
-    """The times (s, ascending) at which each row turns, whether its search has stood still, and the width (s) of the
-    steps on which it ended."""
+    """The times (s, ascending) at which each row turns, whether its search has stood still, the width (s) of the steps
+    on which it ended, and the times (s) of its smallest and its largest value on its grid."""
 
     times: list[Array]
     settled: list[bool]
-    width: float
+    widths: list[float]
+    outermost: list[Array]
 
 
-def turning(rates: Rates, pieces: RunPieces, steps: int, still: Array | float = 0.0) -> TurningTimes:
-    """The turning points of rows between the cuts.
+@dataclass
+class _RowSearch:
+    """The search of one row: the counts of its brackets by level, the brackets of its last two grids."""
 
-    ``still`` (rows,) is a size to which round-off is compared where a row is smaller itself.
+    counts: list[int] = field(default_factory=list)
+    levels: list[Array] = field(default_factory=list)
+    steps: int = 0
+    outermost: Array = field(default_factory=lambda: np.empty(0))
+
+    @property
+    def stands(self) -> bool:
+        """Whether the count has stayed the same on three grids."""
+        return len(self.counts) > 2 and len({*self.counts[-3:]}) == 1
+
+
+def turning(
+    rates: Rates, pieces: Sequence[RunPieces], steps: int, still: Array | float = 0.0, skip: Sequence[bool] = ()
+) -> TurningTimes:
+    """The turning points of rows between the cuts, each row with its own ``pieces``.
+
+    ``still`` (rows,) is a size to which round-off is compared where a row is smaller itself; rows to ``skip`` have
+    none.
     """
     steps, most = _first(steps)
-    counts: list[list[int]] = []
-    levels: list[list[Array]] = []
-    while True:
-        # Look on this grid for sign changes of the rate; keep the brackets of the last two grids.
-        t = pieces.grid(steps)
-        levels = [*levels[-1:], _turns(t, *rates(t), pieces.number(t), still)]
-        counts.append([len(found) for found in levels[-1]])
+    floors = np.broadcast_to(still, len(pieces))
+    rows = [_RowSearch() for _ in pieces]
+    left = [row for row in range(len(rows)) if not (skip and skip[row])]
+    while left:
+        # Evaluate all rows on the union of their grids; each is looked at on its own grid alone.
+        grids = {id(one): one.grid(steps) for one in (pieces[row] for row in left)}
+        t = np.unique(np.concatenate([*grids.values()]))
+        values, slopes = rates(t)
+        for row in left:
+            grid, one = grids[id(pieces[row])], rows[row]
+            at = np.searchsorted(t, grid)
+            brackets = _turns(grid, values[row, at], slopes[row, at], pieces[row].number(grid), floors[row])
+            one.levels, one.steps = [*one.levels[-1:], brackets], steps
+            one.counts.append(len(brackets))
+            one.outermost = _outermost_times(grid, values[row, at])
         # A row has settled when its number of brackets stayed the same on three grids.
-        standing = [len(counts) > 2 and len({c[row] for c in counts[-3:]}) == 1 for row in range(len(counts[0]))]
-        if all(standing) or steps >= most:
+        left = [row for row in left if not rows[row].stands]
+        if steps >= most:
             break
         steps *= 2
     # Rows that never settle, such as oscillations near a singular pose, keep their highest and lowest brackets only.
-    levels = [
-        [b if s else _outermost(rates, row, b) for row, (b, s) in enumerate(zip(level, standing, strict=True))]
-        for level in levels
-    ]
+    for row in left:
+        rows[row].levels = [_outermost(rates, row, level) for level in rows[row].levels]
     # Locate the turning points by root finding on the exact rates.
-    times = roots(lambda at: rates(at)[1], levels[-1])
+    none = np.empty((0, 2))
+    times = roots(lambda at: rates(at)[1], [one.levels[-1] if one.levels else none for one in rows])
     # A row with unstable counts is accepted after all if the extremes of the last two grids agree.
-    if not all(standing):
-        before = roots(lambda at: rates(at)[1], levels[0])
-        standing = [s or _same(rates, row, before[row], times[row]) for row, s in enumerate(standing)]
-    return TurningTimes(times, standing, (pieces.stop - pieces.start) / steps)
+    standing = [row not in left for row in range(len(rows))]
+    if left:
+        before = roots(lambda at: rates(at)[1], [rows[r].levels[0] if r in left else none for r in range(len(rows))])
+        for row in left:
+            standing[row] = _same(rates, row, before[row], times[row])
+    length = pieces[0].stop - pieces[0].start if pieces else 0.0
+    widths = [length / max(one.steps, 1) for one in rows]
+    return TurningTimes(times, standing, widths, [one.outermost for one in rows])
 
 
-def zeros(rates: Rates, pieces: RunPieces, turning_points: TurningTimes, steps: int) -> list[Array]:
+def zeros(
+    rates: Rates,
+    pieces: Sequence[RunPieces],
+    turning_points: TurningTimes,
+    steps: int,
+    clear: Callable[[int, Array], NDArray[np.bool_]],
+) -> list[Array]:
     """The zeros of each row at which it changes sign, from its turning points: between two of them there is one at
-    most."""
-    found = []
-    grid = pieces.grid(_first(steps)[0])
+    most. ``clear(row, t)`` tells at which times a row's sign is more than round-off: the others have none."""
+    brackets, exact = [], []
+    grids = [one.grid(_first(steps)[0]) for one in pieces]
     # Between two neighbouring turning points a row is monotone, so it has at most one zero there.
-    t = np.union1d(grid, np.concatenate([*turning_points.times, grid[:0]]))
-    values, number = rates(t)[0], pieces.number(t)
-    exact = []
-    for row in values:
-        known = ~np.isnan(row) & (row != 0)
-        at, sign, piece = t[known], np.sign(row[known]), number[known]
+    own = [np.union1d(grid, times) for grid, times in zip(grids, turning_points.times, strict=True)]
+    every = np.unique(np.concatenate([*own, np.empty(0)]))
+    values = rates(every)[0] if every.size else np.empty((len(pieces), 0))
+    for row, t in enumerate(own):
+        value, number = values[row, np.searchsorted(every, t)], pieces[row].number(t)
+        known = ~np.isnan(value) & (value != 0)
+        sign = np.where(known, np.sign(value), 0.0)
+        # Look closely at signs only where one changes: is it more than round-off on both sides?
+        known &= _clear(clear, row, t, sign)
+        at, sign, piece = t[known], sign[known], number[known]
         change = np.flatnonzero((sign[:-1] != sign[1:]) & (piece[:-1] == piece[1:]))
-        found.append(np.stack([at[change], at[change + 1]], axis=1))
-        # Values that are exactly zero are zeros themselves, unless the row is zero nearly everywhere.
-        exact.append(t[row == 0] if np.count_nonzero(row == 0) <= row.size // 2 else t[:0])
-    crossed = roots(lambda at: rates(at)[0], found)
+        brackets.append(np.stack([at[change], at[change + 1]], axis=1))
+        # Values that are exactly zero are zeros themselves, unless the row stays zero beside them.
+        zero = np.concatenate([[False], value == 0, [False]])
+        exact.append(t[zero[1:-1] & ~zero[:-2] & ~zero[2:]])
+    crossed = roots(lambda at: rates(at)[0], brackets)
     return [np.union1d(r, e) if e.size else r for r, e in zip(crossed, exact, strict=True)]
+
+
+def _clear(clear: Callable[[int, Array], NDArray[np.bool_]], row: int, t: Array, sign: Array) -> NDArray[np.bool_]:
+    """Which signs of a row count: all, but near changes those alone that are more than round-off."""
+    near = np.zeros(t.size, dtype=bool)
+    changed = np.flatnonzero(sign[:-1] != sign[1:])
+    for beside in range(-2, 4):
+        near[np.clip(changed + beside, 0, max(t.size - 1, 0))] = True
+    counts = np.ones(t.size, dtype=bool)
+    if near.any():
+        counts[near] = clear(row, t[near])
+    return counts
 
 
 def _first(steps: int) -> tuple[int, int]:
@@ -135,26 +190,27 @@ def _first(steps: int) -> tuple[int, int]:
     return first, max(MAX_STEPS, 4 * first)
 
 
-def _turns(t: Array, values: Array, slopes: Array, number: Rows, still: Array | float) -> list[Array]:
-    """Brackets (n, 2) in which each row's rate clearly changes sign inside one piece."""
+def _turns(t: Array, value: Array, slope: Array, number: Rows, floor: float) -> Array:
+    """Brackets (n, 2) in which a row's rate clearly changes sign inside one piece."""
     width = np.gradient(t) if t.size > 1 else np.ones(1)
-    floors = np.broadcast_to(still, len(values))
-    found = []
-    for value, slope, floor in zip(values, slopes, floors, strict=True):
-        known = np.isfinite(value) & np.isfinite(slope)
-        at, size, rate, piece = t[known], np.abs(value[known]), slope[known], number[known]
-        # Skip rows that only vary by round-off.
-        if not at.size or not np.abs(rate).max() * (t[-1] - t[0]) > STILL * max(size.max(), floor):
-            found.append(np.empty((0, 2)))
-            continue
-        # A rate has a reliable sign only if it changes the value by more than round-off over the local step.
-        usual = max(float(np.quantile(size, USUAL)), floor)
-        clear = np.abs(rate) * width[known] > GAIN * np.maximum(size, usual)
-        at, sign, piece = at[clear], np.sign(rate[clear]), piece[clear]
-        # A sign change counts only between neighbours in the same piece, not across a cut.
-        change = np.flatnonzero((sign[:-1] != sign[1:]) & (piece[:-1] == piece[1:]))
-        found.append(np.stack([at[change], at[change + 1]], axis=1))
-    return found
+    known = np.isfinite(value) & np.isfinite(slope)
+    at, size, rate, piece = t[known], np.abs(value[known]), slope[known], number[known]
+    # Skip rows that only vary by round-off.
+    if not at.size or not np.abs(rate).max() * (t[-1] - t[0]) > STILL * max(size.max(), floor):
+        return np.empty((0, 2))
+    # A rate has a reliable sign only if it changes the value by more than round-off over the local step.
+    usual = max(float(np.quantile(size, USUAL)), floor)
+    clear = np.abs(rate) * width[known] > GAIN * np.maximum(size, usual)
+    at, sign, piece = at[clear], np.sign(rate[clear]), piece[clear]
+    # A sign change counts only between neighbours in the same piece, not across a cut.
+    change = np.flatnonzero((sign[:-1] != sign[1:]) & (piece[:-1] == piece[1:]))
+    return np.stack([at[change], at[change + 1]], axis=1)
+
+
+def _outermost_times(t: Array, value: Array) -> Array:
+    """The times of the smallest and of the largest finite value."""
+    known = np.flatnonzero(np.isfinite(value))
+    return t[known[[np.argmin(value[known]), np.argmax(value[known])]]] if known.size else t[:0]
 
 
 def _outermost(rates: Rates, row: int, brackets: Array) -> Array:

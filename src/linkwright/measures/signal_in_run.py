@@ -49,7 +49,7 @@ class SignalInRun:
     @property
     def searched(self) -> Grade:
         """The grade of what the search gives."""
-        return Grade(ProofKind.SEARCHED, self.probe.search.turning_points.width)
+        return Grade(ProofKind.SEARCHED, self.probe.search.width(self.probe.node))
 
     def values(self, t: Array) -> Array:
         """The signal at times, SI."""

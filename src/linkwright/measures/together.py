@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.language import Node
-from linkwright.measures.places import LITTLE
 from linkwright.measures.probe import FEW, Probe
+from linkwright.measures.round_off import LITTLE
 from linkwright.results import Run
 from linkwright.results.quadrature import panel_points
 from linkwright.results.run import combined
@@ -75,7 +75,7 @@ def _integrals(probes: Sequence[Probe], powers: Sequence[int], sizes: Array) -> 
             parts.append(height.reshape(len(nodes), -1, POINTS).sum(axis=2))
         return np.concatenate(parts, axis=1)
 
-    lows, highs = _panels(probes[0])
+    lows, highs = _panels(probes)
     here, total = integrals(lows, highs), np.zeros(len(probes))
     for _ in range(HALVED):
         middle = (lows + highs) / 2
@@ -94,10 +94,12 @@ def _integrals(probes: Sequence[Probe], powers: Sequence[int], sizes: Array) -> 
     return total + here.sum(axis=1), ~off.any(axis=1)
 
 
-def _panels(probe: Probe) -> tuple[Array, Array]:
+def _panels(probes: Sequence[Probe]) -> tuple[Array, Array]:
     """The ends of the first panels of all intervals: equal parts, and ends at all cuts and narrow places."""
-    run, pieces = probe.run, probe.search.places.pieces
-    places = np.concatenate([run.breaks, (pieces.before + pieces.after) / 2, pieces.more])
+    probe, run = probes[0], probes[0].run
+    every = {id(one): one for one in (probe.pieces for probe in probes)}.values()
+    parts = [np.concatenate([(one.before + one.after) / 2, one.more]) for one in every]
+    places = np.unique(np.concatenate([run.breaks, *parts]))
     lows, highs = [], []
     for a, b in probe.intervals:
         count = max(FEWEST, int(np.ceil(run.grid // 4 * (b - a) / (run.stop - run.start))))

@@ -167,7 +167,18 @@ class Jet:
         return self.chain(call("log", self.d[0]), lambda f: 1.0 / f)
 
     def sqrt(self) -> Jet:
-        return self.chain(call("sqrt", self.d[0]), lambda f: 0.5 / f.sqrt())
+        found = self.chain(call("sqrt", self.d[0]), lambda f: 0.5 / f.sqrt())
+        if self.order > 0 and isinstance(self.d[0], np.ndarray):
+            return found._resting(self)
+        return found
+
+    def _resting(self, argument: Jet) -> Jet:
+        """Zero with all derivatives where the argument rests at zero, as on the flat side of sqrt(max(0, x)): there
+        the chain meets 0/0."""
+        rests = np.logical_and.reduce(np.broadcast_arrays(*(np.asarray(d) == 0 for d in argument.d)))
+        if not np.any(rests):
+            return self
+        return Jet([np.where(rests, 0.0, d) for d in self.d])
 
     def arcsin(self) -> Jet:
         return self.chain(call("arcsin", self.d[0]), lambda f: 1.0 / (1.0 - f * f).sqrt())
