@@ -11,6 +11,7 @@ import random
 from mpmath import mp
 
 from helpers.adversary.cases import Batch, Case, Wanted, clock_batch
+from helpers.adversary.dead_centres import dead_centre_batch
 from helpers.adversary.judging import Answer, Said, Verdict, answers, faults, judge, judged
 from helpers.adversary.laws import law_batch, table_batch
 from helpers.adversary.linkages import four_bar_batch, guide_batch, near_change_batch
@@ -21,7 +22,7 @@ __all__ = ["Answer", "Batch", "Case", "Said", "Verdict", "Wanted", "answers", "f
 COUNT = 40
 """Measures of a batch, at most: laws, tables and change points take fewer."""
 MAKERS = (
-    clock_batch, four_bar_batch, clock_batch, guide_batch, clock_batch, law_batch, clock_batch, near_change_batch,
+    clock_batch, four_bar_batch, dead_centre_batch, guide_batch, clock_batch, law_batch, clock_batch, near_change_batch,
     clock_batch, table_batch,
 )  # fmt: skip
 

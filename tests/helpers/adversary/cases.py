@@ -137,7 +137,7 @@ def clock_case(family: str, name: str, d: Draw) -> tuple[Case, tuple[float, floa
     span = (mpf(0), mpf(d.length)) if window is None else (mpf(window[0]), mpf(window[1]))
     reductions = ["extremes"] * 4 + ["max", "min", "span"]
     if made.integral or "mean" in made.diverging:
-        reductions += ["mean"] * 2
+        reductions += ["mean"] * 3
     if made.square or "rms" in made.diverging:
         reductions += ["rms"] * 2
     if family in ("near pole", "other peak"):

@@ -400,10 +400,96 @@ def crank_jump(d: Draw) -> Feature:
     return Feature(call("hypot", COS - c, SIN), (), d.length / 10)
 
 
+# Cancellation of higher order, roots and what rests at zero, poles past the ends, near-poles of roots.
+
+
+def higher_gap(d: Draw) -> Feature:
+    """0/0 where terms of second to sixth order cancel."""
+    height, marks = d.sign() * d.uniform(1, 5), (Mark(mpf(d.a), d.w),)
+    forms = [
+        (d.u - call("sin", d.u)) / d.u**3,
+        (call("exp", d.u) - 1.0 - d.u) / d.u**2,
+        (1.0 - call("cos", d.u)) ** 2 / d.u**4,
+        (d.u - call("sin", d.u)) / (d.u * (1.0 - call("cos", d.u)))
+        if d.length <= 3
+        else (1.0 - call("cos", d.u)) / d.u**2,
+        call("sin", d.u) ** 2 / (call("exp", d.u) - 1.0) ** 2,
+    ]
+    return Feature(height * d.pick(*forms), marks, d.length / 4)
+
+
+def root_beside(d: Draw) -> Feature:
+    """Roots that rest at zero on one side, powers of magnitudes, quotients with roots that vanish."""
+    r, v, marks = d.sign() * d.uniform(1, 3), d.u / d.w, (Mark(mpf(d.a), d.w),)
+    kind = d.pick("rest", "power", "quotient", "arch", "two", "step")
+    if kind in ("rest", "power"):
+        p = d.pick(0.5, 1.5)
+        base = call("max", 0.0, d.u) if kind == "rest" else abs(d.u)
+
+        def below(t: Any) -> Any:
+            u = t - mpf(d.a)
+            return (mpmath.sign(u) if kind == "power" or u > 0 else 0) * abs(u) ** (mpf(p) + 1) / (mpf(p) + 1)
+
+        root = call("sqrt", base) if p == 0.5 else base**p
+        return Feature(r * root, marks, d.length / 10, lambda a, b: r * (below(b) - below(a)))
+    if kind == "quotient":
+        return Feature(r * (call("sin", d.u) / call("sqrt", abs(d.u))), marks, d.length / 10)
+    if kind == "arch":
+        ends = Mark(mpf(d.a) - mpf(d.w), d.w), Mark(mpf(d.a) + mpf(d.w), d.w)
+        return Feature(r * call("sqrt", call("max", 0.0, 1.0 - v**2)), (*marks, *ends), d.w)
+    if kind == "two":
+        f = r * call("sqrt", call("max", 0.0, d.u)) + call("sqrt", call("max", 0.0, d.a - d.clock))
+        return Feature(f, marks, d.length / 10)
+    return Feature(r * (d.u / call("sqrt", d.u**2 + d.w**2)), marks, d.w)
+
+
+def past_end(d: Draw) -> Feature:
+    """A pole outside the run, as near as a share w^2 of its length: the last or the first value is the extreme."""
+    gap, r = d.length * max((d.w / d.length) ** 2, 1e-11), d.sign() * d.uniform(0.5, 3)
+    end, at = d.pick((d.length, d.length + gap), (0.0, 0.0 - gap))
+    away = float(abs(mpf(at) - mpf(end)))
+    u, marks = at - d.clock, (Mark(mpf(end), away),)
+    if d.pick(False, True):
+
+        def below(t: Any) -> Any:
+            return -mpmath.log(abs(mpf(at) - t))
+
+        return Feature(r / u, marks, away, lambda a, b: r * (below(b) - below(a)))
+    return Feature(d.pick(r / u**2, r * call("log", abs(u)), r / abs(u) ** 0.5), marks, away)
+
+
+def near_root_pole(d: Draw) -> Feature:
+    """Kinks at the top of what falls like the inverse of a root or a magnitude, from a height of 1/w."""
+    r, c, marks = d.sign() * d.uniform(0.5, 2), d.w, (Mark(mpf(d.a), d.w),)
+    kind = d.pick("root", "magnitude", "log")
+    if kind == "log":
+        return Feature(r * call("log", abs(d.u) + c), marks, 2 * d.w)
+
+    def below(t: Any) -> Any:
+        u = t - mpf(d.a)
+        fall = mpmath.sqrt(abs(u) + c) - mpmath.sqrt(mpf(c)) if kind == "root" else mpmath.log(1 + abs(u) / c)
+        return mpmath.sign(u) * fall * (2 if kind == "root" else c)
+
+    f = r / call("sqrt", abs(d.u) + c) if kind == "root" else r * c / (abs(d.u) + c)
+    return Feature(f, marks, 2 * d.w, lambda a, b: r * (below(b) - below(a)))
+
+
+def several(d: Draw) -> Feature:
+    """Two of the others at places of their own."""
+    first, second = (d.pick(removable, finite_edge, kink, root_beside, higher_gap, jump) for _ in range(2))
+    one, a, w = first(d), d.a, d.w
+    d.a, d.w = d.elsewhere(), d.length * d.log(-6, -1)
+    other = second(d)
+    narrow = min(one.width, other.width)
+    d.a, d.w = a, w
+    return Feature(one.f + other.f, (*one.marks, *other.marks), narrow)
+
+
 FAMILIES: dict[str, Callable[[Draw], Feature]] = {
     maker.__name__.replace("_", " "): maker
     for maker in (
         simple_pole, double_pole, opposite_poles, cancelling_residues, near_pole, near_pole_expanded, other_peak,
         removable, jump, weak_pole, log_edge, finite_edge, kink, waves, crank_pole, crank_touch, crank_jump,
+        higher_gap, root_beside, past_end, near_root_pole, several,
     )
 }  # fmt: skip
