@@ -87,6 +87,18 @@ def test_a_file_that_cannot_be_assembled_is_mended_on_its_page(browser: Any, tmp
     view.close()
 
 
+def test_a_verdict_that_turns_moves_nothing(browser: Any, tmp_path: Path) -> None:
+    """A badge that fails is as large as one that passes: the drawing stays under the pointer."""
+    path, _ = written(tmp_path, paper_feeder(155))
+    view = Opened(browser, path)
+    top = "document.querySelector('#drawing').getBoundingClientRect().top"
+    before = view.page.evaluate(top)
+    put(view, "AB", "140")
+    assert view.page.locator("#requirements").inner_text() == "✗ Requirements: 0 of 1 passed"
+    assert view.page.evaluate(top) == before
+    view.close()
+
+
 def test_what_a_change_does_not_reach_is_marked(browser: Any, tmp_path: Path) -> None:
     """Every section with results but the measures, which follow."""
     studies: dict[str, Any] = {"cycle": CYCLE, "limits": {"signals": ["rocker.angle"]}}
