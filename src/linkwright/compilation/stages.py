@@ -24,6 +24,7 @@ from linkwright.model.mechanism import Mechanism
 from linkwright.model.places import ExpressionPlace
 from linkwright.model.plausible import implausible
 from linkwright.model.quantities import Quantities
+from linkwright.model.unused_parameters import unused_parameters
 from linkwright.structure import Structure, Topology, decompose
 
 Uses = Sequence[ExpressionPlace] | Callable[[Mechanism], Sequence[ExpressionPlace]]
@@ -112,7 +113,7 @@ def assemble(q: Quantities, found: Structure, stated: Laws) -> Assembly:
 def warnings(spelled: Spelled, q: Quantities, stated: Laws, assembly: Assembly) -> list[Finding]:
     """What is odd with a mechanism that can run."""
     moved = moved_starts(spelled, q, stated.drives)
-    odd = [*moved, *implausible(q), *([] if moved else assembly.notes)]
+    odd = [*moved, *unused_parameters(spelled, q), *implausible(q), *([] if moved else assembly.notes)]
     return [*spelled.warnings, *_moments(q), *spelled.with_file_paths(odd)]
 
 

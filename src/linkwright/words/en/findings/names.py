@@ -1,6 +1,10 @@
 """Problems of names."""
 
 PROBLEMS: dict[str, tuple[str, str]] = {
+    "name.unused-parameter": (
+        "Nothing uses the parameter {name}: its value changes nothing.",
+        "{mend}",
+    ),
     "name.unknown": (
         "'{name}' isn't {kind} of this mechanism.",
         "{near}",

@@ -109,6 +109,8 @@ TERMS: dict[str, str] = {
     "near-some-of": "Did you mean one of these: {names}? All of them: {known}.",
     "near-none": "Write one of these: {names}.",
     "near-nothing": "The file has none yet.",
+    "unused-meant": "Rename it to {names} if that is meant; or remove it.",
+    "unused-plain": "Use it in an expression; or remove it.",
     # What the value of an option must be.
     "must-bool": "it must be true or false, not {given}",
     "must-number": "it must be a number, not {given}",

@@ -1,6 +1,10 @@
 """Problems of names."""
 
 PROBLEMS: dict[str, tuple[str, str]] = {
+    "name.unused-parameter": (
+        "参数 {name} 未被使用：其数值不产生任何影响。",
+        "{mend}",
+    ),
     "name.unknown": (
         "本机构中没有名为“{name}”的{kind}。",
         "{near}",

@@ -107,6 +107,8 @@ TERMS: dict[str, str] = {
     "near-some-of": "是否指以下之一：{names}？可用的有：{known}。",
     "near-none": "改用以下之一：{names}。",
     "near-nothing": "文件中尚未定义此类名称。",
+    "unused-meant": "若是指 {names}，请改为该名称；否则将其删除。",
+    "unused-plain": "在表达式中使用该参数；或将其删除。",
     # What the value of an option must be.
     "must-bool": "应为 true 或 false（实际为：{given}）",
     "must-number": "应为数值（实际为：{given}）",
