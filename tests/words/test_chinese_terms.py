@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from helpers.offenders import nobody_breaks
-from linkwright.words import catalogue
+from linkwright.words import catalogue, filled
 
 ROOT = Path(__file__).parents[2]
 
@@ -66,3 +66,54 @@ def test_chinese_texts_have_one_term_for_one_thing() -> None:
 def test_other_words_are_seen(text: str) -> None:
     assert unwanted(text)
     assert not unwanted("主动运动副、独立闭环、行程速比系数、条环境、极限位置")
+
+
+PAGE = re.compile(r"docs/(?!zh/)[\w/-]+\.md")
+
+
+def test_chinese_texts_name_the_chinese_page_where_there_is_one() -> None:
+    named = {key: [path for path in PAGE.findall(text) if translated(path)] for key, text in catalogue("zh").items()}
+    nobody_breaks(named)
+
+
+def test_chinese_pages_link_to_chinese_pages() -> None:
+    """But for the line at their head that links to the English one."""
+    pages = [*(ROOT / "docs" / "zh").rglob("*.md"), ROOT / "README.zh-CN.md"]
+    nobody_breaks({page.relative_to(ROOT).as_posix(): english_links(page) for page in pages})
+
+
+def english_links(page: Path) -> list[str]:
+    """The links of a page to an English one that there is in Chinese."""
+    found = re.findall(
+        r"(?<!\[English\])(?<!\[英文操作页\])(?<!\[英文验证页\])\(([^)#\s]+\.md)", page.read_text("utf-8")
+    )
+    paths = [(page.parent / link).resolve() for link in found]
+    inside = [path.relative_to(ROOT).as_posix() for path in paths if path.is_relative_to(ROOT)]
+    return [path for path in inside if translated(path)]
+
+
+def translated(path: str) -> bool:
+    """Whether there is a Chinese page for an English one."""
+    return (
+        not path.startswith("docs/zh/") and (ROOT / path.replace("docs/", "docs/zh/", 1)).exists() and "docs/" in path
+    )
+
+
+def test_a_page_that_is_translated_is_seen() -> None:
+    assert translated("docs/how-to/cams.md") and not translated("docs/how-to/exports.md")
+    assert PAGE.findall("见 docs/how-to/cams.md。") == ["docs/how-to/cams.md"]
+
+
+@pytest.mark.parametrize(
+    ("pattern", "data", "made"),
+    [
+        ("{a} 相对 {b}（模型中为 {c}）", ("曲柄", "frame", "轴心"), "曲柄相对 frame（模型中为轴心）"),
+        ("随 {a} 的变化", ("偏距",), "随偏距的变化"),
+        ("随 {a} 的变化", ("AB",), "随 AB 的变化"),
+        ("文件 {a} 为空", ("我的 机构.yaml",), "文件我的 机构.yaml 为空"),
+        ("{a!r} 和 {b:.3g}", ("轴", 1.5), "'轴' 和 1.5"),
+    ],
+)
+def test_no_spaces_between_hanzi(pattern: str, data: tuple[object, ...], made: str) -> None:
+    """Where data of a Chinese file stand in a text; those within the data stay."""
+    assert filled(pattern, dict(zip("abc", data, strict=False))) == made

@@ -21,7 +21,7 @@ from linkwright.compilation import examine
 from linkwright.data_classes import dataclass
 from linkwright.exports import TARGETS, Exported
 from linkwright.expressions.units import UnitError, unit
-from linkwright.expressions.unknown import near
+from linkwright.expressions.unknown import near, unknown_unit
 from linkwright.findings import Finding, ModelError, capped
 from linkwright.model import csv_text
 from linkwright.model.copies import with_copies
@@ -106,7 +106,7 @@ class Batch:
                 try:
                     unit(of)
                 except UnitError as error:
-                    self.note("units.unknown", (head[:60],), 1, word=str(error)[:40])
+                    self.note("units.unknown", (head[:60],), 1, **unknown_unit(of, error))
                 else:
                     found.append(BatchColumn(place, head, name, of))
         return found

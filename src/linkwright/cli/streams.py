@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import errno
 import io
 import os
@@ -30,7 +31,35 @@ def prepare() -> None:
         if stream is None:
             setattr(sys, name, Path(os.devnull).open(mode, encoding="utf-8"))  # noqa: SIM115
         elif isinstance(stream, io.TextIOWrapper) and mode == "w":
-            stream.reconfigure(errors="replace")
+            stream.reconfigure(errors="linkwright.replace")
+
+
+_INSTEAD = {"✓": "√", "✗": "×", "²": "^2", "³": "^3", "⁴": "^4", "·": "*", "−": "-", "–": "-", "σ": "sigma"}
+"""What stands for a letter in an encoding that lacks it, such as GBK or ASCII, where the encoding has that."""
+
+
+def _replaced(error: UnicodeError) -> tuple[str, int]:
+    """What is written in place of letters that a stream lacks: their like, so that what they mean isn't lost."""
+    if not isinstance(error, UnicodeEncodeError):
+        raise error
+    letters = error.object[error.start : error.end]
+    return "".join(_instead(letter, error.encoding) for letter in letters), error.end
+
+
+def _instead(letter: str, encoding: str) -> str:
+    for other in (_INSTEAD.get(letter, "?"), _PLAIN.get(letter, "?")):
+        try:
+            other.encode(encoding)
+        except UnicodeEncodeError:
+            continue
+        return other
+    return "?"
+
+
+_PLAIN = {"✓": "+", "✗": "x"}
+"""The same where the encoding has not even that."""
+
+codecs.register_error("linkwright.replace", _replaced)
 
 
 @contextmanager

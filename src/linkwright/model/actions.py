@@ -15,6 +15,7 @@ from linkwright.expressions.language import is_signal
 from linkwright.expressions.system import Unknown
 from linkwright.expressions.typed_fields import Ends, Quantity, Scope, Sign
 from linkwright.expressions.units import PURE, TIME, Dimension, UnitError, unit
+from linkwright.expressions.unknown import unknown_unit
 from linkwright.expressions.written import Fault, short_text, unexpected
 from linkwright.findings import Joined
 from linkwright.reductions import figure
@@ -49,7 +50,7 @@ def _column(raw: Any) -> str:
     try:
         column_unit(text)
     except UnitError as error:
-        raise fault("units.unknown", word=str(error)[:40]) from None
+        raise fault("units.unknown", **unknown_unit(text.split(None, 1)[1], error)) from None
     return text
 
 

@@ -16,6 +16,7 @@ from linkwright.expressions.dimensions import Wanted
 from linkwright.expressions.fields import Expression, Frozen, Name, fault
 from linkwright.expressions.typed_fields import Context, Ends, Quantity, Ref, Scope
 from linkwright.expressions.units import Dimension, UnitError, unit
+from linkwright.expressions.unknown import unknown_unit
 from linkwright.expressions.written import Fault, FrozenDict, short_text
 from linkwright.findings import Joined, Said, Text
 from linkwright.notation.registry import Registry
@@ -28,7 +29,7 @@ def _unit(raw: Any) -> str:
     try:
         unit(text)
     except UnitError as error:
-        raise fault("units.unknown", word=str(error)[:40]) from None
+        raise fault("units.unknown", **unknown_unit(text, error)) from None
     return text
 
 

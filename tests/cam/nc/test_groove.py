@@ -228,7 +228,7 @@ def test_a_lost_decimal_is_caught() -> None:
     number = next(k for k in range(len(lines) - 20, 0, -1) if re.match(r"X-?\d+\.\d+ Y-?\d\d\.\d+ I", lines[k]))
     proof = proven(SMALL, LITTLE, altered(number, r"Y(-?\d)(\d)\.", r"Y\1.\2"))
     assert [(f.key, f.line) for f in proof.faults][:1] == [("nc.radius", number + 1)]
-    entry = next(k for k, line in enumerate(lines) if "inner flank" in line) + 1
+    entry = next(k for k, line in enumerate(lines) if "INNER FLANK" in line) + 1
     assert proven(SMALL, LITTLE, altered(entry, r"Y(-?\d)(\d)\.", r"Y\1.\2")).faults
 
 

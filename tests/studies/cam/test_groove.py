@@ -43,7 +43,9 @@ def test_a_groove_and_what_is_written_of_it() -> None:
     assert [str(row.name) for row in error.rows] == [
         f"{side} flank, {end}" for side in ("inner", "outer") for end in ("bottom", "top")
     ]
-    assert "(slot, ramp" in str(FILES["cam_fanuc.nc"].make(job.cam))
+    comments = re.findall(r"\((.*)\)", str(FILES["cam_fanuc.nc"].make(job.cam)))[1:]  # without the model's name
+    assert len(comments) > 4 and not [one for one in comments if one != one.upper()]  # older controls stop at others
+    assert "(SLOT, RAMP" in str(FILES["cam_fanuc.nc"].make(job.cam))
     assert FILES["cam_siemens.mpf"].make(job.cam) is None
 
 

@@ -42,7 +42,7 @@ class Post:
         writer = _ModalWriter(min(job.decimals, self.most))
         lines = [*self.head(job), *map(self.comment, notes), f"G0 Z{writer.number(job.clear)}"]
         for one in passes:
-            lines.append(self.comment(f"{one.note} Z{writer.number(one.z)}"))
+            lines.append(self.comment(f"{one.note.upper()} Z{writer.number(one.z)}"))
             lines += self._once(writer, job, one)
         return "\n".join([*lines, *self.foot(job)]) + "\n"
 

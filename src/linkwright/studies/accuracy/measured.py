@@ -16,7 +16,7 @@ from linkwright.expressions.dimensions import DimensionError, declared_scale
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Node
 from linkwright.expressions.units import Dimension, UnitError, unit
-from linkwright.expressions.unknown import near
+from linkwright.expressions.unknown import near, unknown_unit
 from linkwright.findings import Finding, Joined, ModelError
 from linkwright.kernels import Compiled
 from linkwright.model.csv_file import finite, listed, read_csv
@@ -212,7 +212,7 @@ def _sized(
             return MeasuredColumn(name, tree, dimension, written, size)
         size = declared_scale(dimension, quantities.declared)
     except UnitError as error:
-        findings.append(Finding("units.unknown", path, {"word": str(error)[:40]}))
+        findings.append(Finding("units.unknown", path, unknown_unit(written or "", error)))
         return None
     except DimensionError as error:
         findings.append(Finding(error.key, path, quantities.spelt(error.data)))

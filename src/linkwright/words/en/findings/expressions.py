@@ -7,7 +7,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "units.unknown": (
         "'{word}' isn't a known unit.",
-        "Use units such as mm, deg, kg, s, N, N*m, rpm, mm/s; write products with *, quotients with /, powers with ^.",
+        "{hint}",
     ),
     "expression.syntax": (
         "'{text}' can't be read as an expression: {reason}.",

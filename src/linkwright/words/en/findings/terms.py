@@ -299,6 +299,7 @@ TERMS: dict[str, str] = {
     "of a link without the link.",
     "write-bare": "Write {text}.",
     "write": "Write '{text}'.",
+    "usual-units": "Use units such as mm, deg, kg, s, N, N*m, rpm, mm/s; write products with *, quotients with /, powers with ^.",
     "write-choice": "Write '{text}' or '{other}', whichever is meant.",
     "write-either": "Write '{text}', or '{other}' if the comma separates thousands.",
 }

@@ -9,7 +9,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "文件中没有凸轮。",
         "添加凸轮及其运动规律，例如“cams: {{seal: {{cam: disc, follower: lever, on: frame, base: 40 mm, law: lift, roller: "
         "15 mm, at: R}}}}”和“laws: {{lift: {{over: angle, of: angle, beyond: repeat, segments: [...]}}}}”；参见 "
-        "docs/how-to/cams.md。",
+        "docs/zh/how-to/cams.md。",
     ),
     "cam.together": (
         "以下各键必须同时给出：{keys}。",

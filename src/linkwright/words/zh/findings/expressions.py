@@ -7,7 +7,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     ),
     "units.unknown": (
         "未知的单位“{word}”。",
-        "使用 mm、deg、kg、s、N、N*m、rpm、mm/s 等单位；乘积用 *，商用 /，幂用 ^ 表示。",
+        "{hint}",
     ),
     "expression.syntax": (
         "“{text}”不是有效的表达式：{reason}。",

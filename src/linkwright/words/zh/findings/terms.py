@@ -296,6 +296,7 @@ TERMS: dict[str, str] = {
     "name-form": "使用汉字、字母、数字和下划线（不超过 {limit} 个字符），且不以数字开头；构件上的点只写点名，不写构件名。",
     "write-bare": "改写为 {text}。",
     "write": "改写为“{text}”。",
+    "usual-units": "使用 mm、deg、kg、s、N、N*m、rpm、mm/s 等单位；乘积用 *，商用 /，幂用 ^ 表示。",
     "write-choice": "按实际含义改写为“{text}”或“{other}”。",
     "write-either": "改写为“{text}”；若逗号是千位分隔符，则改写为“{other}”。",
 }
