@@ -21,7 +21,8 @@ from linkwright.compilation import examine
 from linkwright.data_classes import dataclass
 from linkwright.exports import TARGETS, Exported
 from linkwright.expressions.units import UnitError, unit
-from linkwright.expressions.unknown import near, unknown_unit
+from linkwright.expressions.unknown import near
+from linkwright.expressions.unknown_units import unknown_unit
 from linkwright.findings import Finding, ModelError, capped
 from linkwright.model import csv_text
 from linkwright.model.copies import with_copies

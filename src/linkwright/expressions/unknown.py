@@ -29,16 +29,6 @@ def unknown_point(path: tuple[Any, ...], link: str, point: str, known: Iterable[
     return Finding("name.unknown-point", path, {"link": link, "name": point, "near": near(point, [*known])})
 
 
-def unknown_unit(text: str, error: Exception) -> dict[str, Any]:
-    """The data of a finding on a text that is no unit, as ``error`` says: with the unit that is meant, where that is
-    found."""
-    from linkwright.expressions.respelled import unit_respelled
-
-    meant = unit_respelled(text.strip())
-    hint = Term("usual-units") if meant is None else Term("write", text=meant)
-    return {"word": str(error)[:40], "hint": hint}
-
-
 class Near(Term):
     """A sentence on a name that isn't known; ``likely`` are the known ones that may be meant, the likeliest first."""
 

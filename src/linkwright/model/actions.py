@@ -15,7 +15,7 @@ from linkwright.expressions.language import is_signal
 from linkwright.expressions.system import Unknown
 from linkwright.expressions.typed_fields import Ends, Quantity, Scope, Sign
 from linkwright.expressions.units import PURE, TIME, Dimension, UnitError, unit
-from linkwright.expressions.unknown import unknown_unit
+from linkwright.expressions.unknown_units import unknown_unit
 from linkwright.expressions.written import Fault, short_text, unexpected
 from linkwright.findings import Joined
 from linkwright.reductions import figure

@@ -16,7 +16,7 @@ from linkwright.expressions.dimensions import Wanted
 from linkwright.expressions.fields import Expression, Frozen, Name, fault
 from linkwright.expressions.typed_fields import Context, Ends, Quantity, Ref, Scope
 from linkwright.expressions.units import Dimension, UnitError, unit
-from linkwright.expressions.unknown import unknown_unit
+from linkwright.expressions.unknown_units import unknown_unit
 from linkwright.expressions.written import Fault, FrozenDict, short_text
 from linkwright.findings import Joined, Said, Text
 from linkwright.notation.registry import Registry

@@ -16,7 +16,8 @@ from linkwright.expressions.dimensions import DimensionError, declared_scale
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Node
 from linkwright.expressions.units import Dimension, UnitError, unit
-from linkwright.expressions.unknown import near, unknown_unit
+from linkwright.expressions.unknown import near
+from linkwright.expressions.unknown_units import unknown_unit
 from linkwright.findings import Finding, Joined, ModelError
 from linkwright.kernels import Compiled
 from linkwright.model.csv_file import finite, listed, read_csv
