@@ -27,7 +27,7 @@ TEXTS: dict[str, str] = {
     "limits.column.links": "Links",
     "limits.column.type": "Type",
     "limits.column.turning": "Full rotation",
-    "limits.column.margin": "Margin",
+    "limits.column.margin": "Grashof excess (≤ 0: satisfied)",
     "limits.motion": "the motion",
     "limits.full_turn": "Full rotation.",
     "limits.full_turn.change-point": "Full rotation, through change points.",

@@ -27,7 +27,7 @@ TEXTS: dict[str, str] = {
     "limits.column.links": "构件",
     "limits.column.type": "类型",
     "limits.column.turning": "整转构件",
-    "limits.column.margin": "裕量",
+    "limits.column.margin": "杆长条件差值（≤ 0 满足）",
     "limits.motion": "按文件中的运动",
     "limits.full_turn": "可整周转动。",
     "limits.full_turn.change-point": "可整周转动，经过变点。",
