@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -38,6 +40,11 @@ class Derivative:
     def smooth(cls, slope: Array, time: float | None = None) -> Derivative:
         """Of a figure with one place."""
         return cls("", time, slope[None])
+
+    def without_round_off(self, reach: Array, least: float) -> Derivative:
+        """The same without slopes by which deviations up to ``reach`` (deviations,) change the figure by less than
+        ``least``."""
+        return replace(self, places=np.where(np.abs(self.places) * reach < least, 0.0, self.places))
 
     @property
     def tie(self) -> bool:

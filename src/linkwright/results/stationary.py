@@ -78,9 +78,16 @@ def stationary(
     return roots(lambda at: rates(at)[1], [brackets for brackets, _ in found])
 
 
-def fineness(rates: Callable[[Array], tuple[Array, Array]], start: float, stop: float, steps: int) -> list[int]:
-    """The steps on which the count of each row's brackets has stayed the same twice; :data:`MAX_STEPS` if never."""
-    return [needed for _, needed in _settled(_turning_brackets(rates), start, stop, steps, alone=True)]
+def fineness(
+    rates: Callable[[Array], tuple[Array, Array]],
+    start: float,
+    stop: float,
+    steps: int,
+    scales: Sequence[float] | None = None,
+) -> list[int]:
+    """The steps on which the count of each row's brackets has stayed the same twice; :data:`MAX_STEPS` if never.
+    ``scales`` are the sizes of what cancels in each row, as :func:`turns` has them."""
+    return [needed for _, needed in _settled(_turning_brackets(rates, scales), start, stop, steps, alone=True)]
 
 
 def _turning_brackets(

@@ -33,14 +33,16 @@ def peaks(
     asks: Sequence[tuple[Spans, float]],
     gaps: Spans | None = None,
     beside: Candidates | None = None,
+    scale: float = 0.0,
 ) -> list[Figures]:
     """The largest values of a curve in some spans, or with the sign -1 the smallest; NaN where it isn't finite. It may
-    jump in ``gaps`` that the spans leave out, and between candidates from ``beside``.
+    jump in ``gaps`` that the spans leave out, and between candidates from ``beside``. What is round-off beside its
+    ``scale`` doesn't turn.
 
     Only brackets that may hold the extreme are searched: where it is concave a curve stays below its tangents.
     """
     value, rate = bunch.on_grid(what)
-    found = turns(value, rate, bunch.length)
+    found = turns(value, rate, bunch.length, scale)
     limits = {sign: _limit(bunch, found, value, rate, sign) for sign in {sign for _, sign in asks}}
     if gaps is not None:
         broken = gaps.touched(found.who, bunch.t[found.who, found.before], bunch.t[found.who, found.after])

@@ -19,7 +19,7 @@ from functools import cached_property, partial
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.expressions.language import Node
+from linkwright.expressions.language import Call, Name, Node, is_signal
 from linkwright.graph.rows import determinants, reaches, spans
 from linkwright.kernels.parameter_batch import Varied
 from linkwright.measures import BoundMeasure, MeasureResult, bound_measures, measure_all
@@ -40,6 +40,8 @@ MOST_STEPS = 1 << 12
 """The finest grid that samples share."""
 ALIKE = 1e-9
 """How near a measure of one sample is to be to that of a run of its own, over its size."""
+SLIGHT = 1e-3
+"""Of what cancels in it, an expression is round-off if it is smaller by as much again as measures are to be alike."""
 CHUNK = 1 << 17
 """Poses of the grid that are looked at together."""
 
@@ -84,11 +86,20 @@ class Measuring:
         straight = any(tables[lookup.table].degree == 1 and not lookup.integral for lookup in lookups)
         return straight and measure.kind.power is not None
 
+    def cancelling(self, node: Node) -> float:
+        """The size (SI) of what cancels in a signal that is round-off, such as the angle of a level platform; 0 of
+        other expressions."""
+        if not (isinstance(node, Name | Call) and is_signal(node)):
+            return 0.0
+        (name,) = self.run.signals_of([node])
+        return self.run.usual([self.run.dimension(name)])[0]
+
     def _steps(self) -> int:
         """The steps of the grid; measures that the nominal run needs a finer one for go to the others."""
         run, steps = self.run, [min(self.run.grid, MOST_STEPS)]
         every = [*dict.fromkeys(node for measure in self.shared for node in measure.nodes)]
-        fine = fineness(partial(run.all_rates, every), run.start, run.stop, run.grid) if every else []
+        scales = [self.cancelling(node) for node in every]
+        fine = fineness(partial(run.all_rates, every), run.start, run.stop, run.grid, scales) if every else []
         needed = dict(zip(every, fine, strict=True))
         for measure in self.shared:
             # Half of what it needs would do, and a quarter just so.
@@ -138,7 +149,10 @@ class Measuring:
         many = Taken(self, nominal).evaluate_all()
         if not self.shared or many.failed.any():
             return set()
-        sizes = [float(np.abs(nominal.on_grid(measure.signal)[0]).max()) for measure in self.shared]
+        sizes = [
+            max(float(np.abs(nominal.on_grid(measure.signal)[0]).max()), SLIGHT * self.cancelling(measure.signal))
+            for measure in self.shared
+        ]
         own = measure_all(self.run, self.shared)[0]
         pairs = zip(own, sizes, strict=True)
         return {one.name for one, size in pairs if not _alike(one, many.figures[one.name], size)}

@@ -131,7 +131,9 @@ class Taken:
         beside = self.sides.candidates(self.bunch, jumping) if self.sides is not None and jumping else {}
         for tree, places in asks.items():
             asked = [(self.windows[window], sign) for window, sign in places]
-            figures = peaks(self.bunch, tree, asked, self.windows.gaps, beside.get(tree))
+            figures = peaks(
+                self.bunch, tree, asked, self.windows.gaps, beside.get(tree), self.measuring.cancelling(tree)
+            )
             found |= {(tree, *place): figure for place, figure in zip(places, figures, strict=True)}
         return found
 

@@ -6,6 +6,9 @@ import warnings
 from typing import Any
 
 from linkwright.app.job import Job
+from linkwright.kernels.parameter_batch import Varied
+from linkwright.studies.accuracy.disagreement import disagreement
+from linkwright.studies.batch_plan import Measuring
 from studies.models import CRANK, TURN, UNITS, codes, job_of
 
 PARAMETERS = {"AB": {"value": 40, "tolerance": 0.05}, "D": {"value": 100, "tolerance": 0.05}}
@@ -74,3 +77,54 @@ def test_a_load_that_turns_round_at_a_dwell_moves_with_nothing() -> None:
     job = without_warnings(data)
     assert job.exit_code == 0
     assert job.outcomes["accuracy"].figures["least"].sigma > 0
+
+
+def level_hand() -> dict[str, Any]:
+    """A hand that two parallelograms keep level, whatever the lengths are."""
+    return {
+        "units": UNITS,
+        "parameters": {"L1": {"value": 80, "tolerance": 0.1}, "L2": {"value": 70, "tolerance": 0.1}},
+        "links": {
+            "frame": {"points": {"O": [0, 0], "S": [-20, 25]}},
+            "upper": {"points": {"O": [0, 0], "E": ["L1", 0]}},
+            "guide": {"points": {"S": [0, 0], "T1": ["L1", 0]}},
+            "plate": {"points": {"E": [0, 0], "T1": [-20, 25], "T2": [20, 25]}},
+            "fore": {"points": {"E": [0, 0], "W": ["L2", 0]}},
+            "rod": {"points": {"T2": [0, 0], "H": ["L2", 0]}},
+            "hand": {"points": {"W": [0, 0], "H": [20, 25]}},
+        },
+        "assembly": {"T1": [20, 94], "H": [125, 70]},
+        "drives": {
+            "shoulder": {"turns": "upper", "on": "frame", "position": "60 deg + 20 deg*sin(360 deg*t/(2 s))"},
+            "elbow": {"turns": "fore", "on": "upper", "position": "-80 deg + 15 deg*cos(360 deg*t/(1 s))"},
+        },
+        "loads": {"payload": {"on": "hand", "at": "W", "force": [0, -1]}},
+        "measures": {"tilt": {"extremes": "hand.angle"}, "reach": {"max": "W.x"}},
+        "studies": {
+            "cycle": {"period": "2 s", "samples": 50},
+            "accuracy": {"outputs": ["tilt", "reach"], "samples": 60},
+        },
+    }
+
+
+def test_an_output_that_is_zero_whatever_deviates_has_no_deviations() -> None:
+    """Round-off had shares, and statistics of it disagreed by ten powers of ten; each sample was searched by itself."""
+    job = without_warnings(level_hand())
+    outcome = job.outcomes["accuracy"]
+    assert job.exit_code == 0
+    assert not outcome.warnings
+    for name in ("tilt min", "tilt max"):
+        figure = outcome.figures[name]
+        assert abs(figure.nominal) < 1e-13
+        assert (figure.worst, figure.sigma) == ((0.0, 0.0), 0.0)
+        assert not figure.coefficients.any() and not figure.shares.any()
+        assert (figure.searched.low, figure.searched.high, figure.searched.off) == (0.0, 0.0, 0.0)
+        assert (figure.monte_carlo.mean, figure.monte_carlo.sigma) == (figure.nominal, 0.0)
+        assert not disagreement(figure, outcome).parted
+    reach = outcome.figures["reach"]
+    assert reach.sigma > 0 and reach.searched.high > 0
+
+
+def test_samples_of_an_output_that_is_zero_are_measured_together() -> None:
+    run = job_of(level_hand()).outcomes["cycle"].result.run
+    assert Measuring(Varied(run.compiled, ["L1", "L2"]), run).single == set()

@@ -60,7 +60,7 @@ def disagreement(figure: OutputDeviations, outcome: AccuracyOutcome) -> Disagree
         errors = np.array([np.ptp(found.mean_interval), np.ptp(found.sigma_interval)]) / wide
     mean = found.mean - figure.nominal - figure.mean
     rows = (np.array([value]) for value in (mean, found.sigma, figure.sigma, *errors))
-    compared = _compared(*rows, scale=abs(figure.nominal))
+    compared = _compared(*rows, least=max(ROUND_OFF * abs(figure.nominal), figure.round_off))
     ratio, shift, sigma_errors, mean_errors = (known(float(row[0])) for row in compared)
     return Disagreement(ratio, sigma_errors, shift, mean_errors, bool(_parted(compared, outcome)[0]))
 
@@ -71,8 +71,9 @@ def along(curve: SignalDeviations, outcome: AccuracyOutcome) -> NDArray[np.bool_
         return np.zeros(curve.t.size, dtype=bool)
     mean, sigma, _, _, count = curve.sampled
     errors = _errors(sigma, count)
-    scale = float(np.nanmax(np.abs(curve.nominal), initial=0.0))
-    return _parted(_compared(mean - curve.mean, sigma, curve.sigma, *errors, scale=scale), outcome)
+    usual = outcome.run.usual([curve.dimension])
+    least = ROUND_OFF * max(float(np.nanmax(np.abs(curve.nominal), initial=0.0)), *usual)
+    return _parted(_compared(mean - curve.mean, sigma, curve.sigma, *errors, least=least), outcome)
 
 
 def _errors(sigma: Any, count: Any) -> Array:
@@ -82,11 +83,11 @@ def _errors(sigma: Any, count: Any) -> Array:
 
 
 def _compared(
-    shift: Array, sampled: Array, sigma: Array, mean_error: Array, sigma_error: Array, *, scale: float
+    shift: Array, sampled: Array, sigma: Array, mean_error: Array, sigma_error: Array, *, least: float
 ) -> Array:
     """Ratio of the standard deviations and shift of the mean in one of them; both differences in standard errors. What
-    is round-off beside ``scale`` is no difference."""
-    still = np.fmax(np.fmax(sampled, sigma), np.abs(shift)) < ROUND_OFF * scale
+    is less than ``least`` is round-off, and no difference."""
+    still = np.fmax(np.fmax(sampled, sigma), np.abs(shift)) < least
     with np.errstate(all="ignore"):
         rows = np.stack([sampled / sigma, shift / sigma, (sampled - sigma) / sigma_error, shift / mean_error])
     return np.where(still, [[1.0], [0.0], [0.0], [0.0]], rows)

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.language import parse
+from linkwright.expressions.units import Dimension
 from linkwright.measures import BoundMeasure, measure_all
 from linkwright.results import Run
 from linkwright.studies.accuracy.contributors import Contributors
@@ -19,6 +20,19 @@ from linkwright.studies.figures import columns
 
 Array = NDArray[np.float64]
 
+ROUND_OFF = 1e-14
+"""A change that is less, over the size of the mechanism's signals of its dimension, is what is left of zero."""
+
+
+def reach(contributors: Contributors) -> Array:
+    """The largest deviation of each contributor: (contributors,)."""
+    return np.maximum(np.abs(contributors.low), np.abs(contributors.high))
+
+
+def least(run: Run, dimension: Dimension) -> float:
+    """The least change (SI) of a figure of some dimension that is more than round-off."""
+    return ROUND_OFF * run.usual([dimension])[0]
+
 
 def curves(run: Run, slopes: Slopes, contributors: Contributors, texts: Sequence[str]) -> dict[str, SignalDeviations]:
     """The signals over the run; their figures are still open."""
@@ -26,10 +40,12 @@ def curves(run: Run, slopes: Slopes, contributors: Contributors, texts: Sequence
     trees = [quantities.dimensions.bind(parse(text), None) for text in texts]
     for text, tree in zip(texts, trees, strict=True):
         here = slopes.at([tree], run.t, rates=False)
+        dimension = quantities.dimensions.dimension(parse(text))
         coefficients = here.slope[0]
+        most = np.nan_to_num(np.abs(coefficients)).max(axis=1, initial=0.0)
+        coefficients[most * reach(contributors) < least(run, dimension)] = 0.0
         limits = np.stack(worst(coefficients, contributors))
         mean, sigma = spread(coefficients, contributors)
-        dimension = quantities.dimensions.dimension(parse(text))
         unit, size = quantities.unit_of(dimension)
         width = np.nan_to_num(limits[1] - limits[0])
         found[text] = SignalDeviations(
@@ -50,7 +66,9 @@ def figures(
         if not len(contributors):
             made |= {c.name: OutputDeviations(c, number.value, number.time, np.empty((0, 2))) for c, number in pairs}
             continue
-        for (column, number), one in zip(pairs, derivatives.of(measure.name), strict=True):
+        for (column, number), derivative in zip(pairs, derivatives.of(measure.name), strict=True):
+            round_off = least(run, column.dimension)
+            one = derivative.without_round_off(reach(contributors), round_off)
             coefficients = larger(one.sides)
             limits = one.limits(contributors.low, contributors.high)
             mean, sigma = spread(coefficients, contributors)
@@ -64,5 +82,6 @@ def figures(
                 float(mean),
                 float(sigma),
                 shares(coefficients, contributors),
+                round_off=round_off,
             )
     return made

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import field
+from dataclasses import field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -89,7 +89,8 @@ class OutputDeviations:
     differ only in a ``tie``, where two places have the same extreme value. ``time`` (s) is where it happens, ``None``
     where it has no single place.
     ``worst`` are the least and largest deviation of the figure, linear; ``mean`` and ``sigma`` its linear mean
-    deviation and standard deviation (RSS); ``shares`` (contributors,) are those of each in sigma squared.
+    deviation and standard deviation (RSS); ``shares`` (contributors,) are those of each in sigma squared. A change
+    below ``round_off`` is what computing leaves of none.
     """
 
     column: FigureColumn
@@ -104,6 +105,27 @@ class OutputDeviations:
     searched: SearchedWorstCase | None = None
     monte_carlo: MonteCarlo | None = None
     play: PlayEffect | None = None
+    round_off: float = 0.0
+
+    def cleared(self, values: Array) -> Array:
+        """Values of the figure, those that are the nominal one but for round-off as that."""
+        return np.where(np.abs(values - self.nominal) < self.round_off, self.nominal, values)
+
+    def with_samples(self, found: MonteCarlo | None) -> MonteCarlo | None:
+        """What random samples gave of the figure; where they only vary by round-off, they don't vary."""
+        if found is None or max(abs(found.least - self.nominal), abs(found.largest - self.nominal)) >= self.round_off:
+            return found
+        both, known = (self.nominal, self.nominal), found.mean_interval is not None
+        return replace(
+            found,
+            mean=self.nominal,
+            sigma=0.0,
+            least=self.nominal,
+            largest=self.nominal,
+            interval=both,
+            mean_interval=both if known else None,
+            sigma_interval=(0.0, 0.0) if known else None,
+        )
 
     @property
     def name(self) -> str:

@@ -93,7 +93,7 @@ class AccuracyStudy(Study):
             outcome.state = random.state
             outcome.warnings += random.warnings
             for name, figure in every.items():
-                figure.monte_carlo = random.figures.get(name)
+                figure.monte_carlo = figure.with_samples(random.figures.get(name))
             for text, sampled in random.curves.items():
                 outcome.curves[text].sampled = sampled
         state_plays(outcome, options, measures, every)

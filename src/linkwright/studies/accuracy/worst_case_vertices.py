@@ -59,7 +59,12 @@ def search(
     these is off by more than ``share`` of the linear width."""
     if not figures or not len(contributors):
         return {}
-    return _VertexSearch(evaluate, contributors, figures).worst_cases(share)
+
+    def cleared(deviations: Array) -> dict[str, Array]:
+        found = evaluate(deviations)
+        return {name: figures[name].cleared(row) for name, row in found.items() if name in figures}
+
+    return _VertexSearch(cleared, contributors, figures).worst_cases(share)
 
 
 def check_searched(found: Mapping[str, SearchedWorstCase]) -> Iterator[Finding]:
