@@ -141,7 +141,10 @@ def _agreement(quantities: Quantities, structure: Structure, values: Values) -> 
         if (found := _chosen(quantities, along, order)) is None:
             continue
         chosen, reduced = found
-        return _agreeing(reduced, chosen, poses, along, values)
+        # What is left out now may have been kept so far: only poses that the others give show what it misses.
+        poses = _traced(system, chosen, z, values)
+        if len(poses) >= 3:
+            return _agreeing(reduced, chosen, poses, along, values)
     return None
 
 
@@ -168,12 +171,28 @@ def _over_turn(quantities: Quantities, system: Constraints, z: Array, values: Va
     for order in range(3):
         found = _chosen(quantities, spare, order)
         if found is not None and spare.clear_of_zero(found[0]):
-            agreement = _agreeing(found[1], found[0], poses, spare, values)
-            if not agreement.worst < AGREES / 10:  # what it misses is spread over all joints here
+            closed = _kept_closed(system, found[0], poses, values)
+            if closed is None:
                 return None
+            agreement = _agreeing(found[1], found[0], closed, spare, values)
             agreement.structure = replace(agreement.structure, spare_joints=_named(quantities, system, poses, found[0]))
             return agreement
     return None
+
+
+def _kept_closed(
+    system: Constraints, chosen: list[Candidate], poses: list[tuple[float, Array]], values: Values
+) -> list[tuple[float, Array]] | None:
+    """The poses nearby at which what is kept holds exactly: in those by least squares, what the rest misses is spread
+    over all joints. ``None`` where there are none."""
+    found = []
+    for time, z in poses:
+        system.set_drive_values(values(time))
+        closed = _closed(system, chosen, z)
+        if closed is None:
+            return None
+        found.append((time, closed))
+    return found
 
 
 def _named(
