@@ -44,7 +44,7 @@ PRINTED = {
 def test_the_cam_study_writes_the_printed_expressions() -> None:
     outcome = performed(heat_seal(period="24 s", steps=36)).cam
     assert outcome is not None
-    lines = [line for line in str(FILES["cam_motion.txt"](outcome)).splitlines() if line.startswith("  ")]
+    lines = [line for line in str(FILES["cam_motion.txt"].make(outcome)).splitlines() if line.startswith("  ")]
     found = dict(re.split(r" {3,}", line.strip()) for line in lines)
     assert found == {domain: text for domain, (text, _) in PRINTED.items()}
     for domain, (text, printed) in PRINTED.items():

@@ -58,7 +58,7 @@ def times() -> Rows:
 
 def texts() -> list[tuple[float, float, str]]:
     """The pieces of cam_motion.txt."""
-    lines = str(FILES["cam_motion.txt"](outcome(None))).splitlines()
+    lines = str(FILES["cam_motion.txt"].make(outcome(None))).splitlines()
     found = (re.match(r"  (\d+) <= t <=? (\d+) +(.*)", line) for line in lines)
     return [(float(one[1]), float(one[2]), one[3]) for one in found if one]
 
@@ -118,7 +118,7 @@ def others() -> Rows:
 
 def reversal() -> Rows:
     """The frame turns back about O and the arm swings by Table 1: the roller's centre, and the offset of its path."""
-    head, *lines = str(FILES["cam_profile.csv"](outcome(None))).splitlines()
+    head, *lines = str(FILES["cam_profile.csv"].make(outcome(None))).splitlines()
     names = [name.split(" [")[0] for name in head.split(",")]
     table = dict(zip(names, np.array([line.split(",") for line in lines], float).T, strict=True))
     start = math.acos((85**2 + 90**2 - 59**2) / (2 * 85 * 90))  # r_b + r_0 from O to B
