@@ -23,6 +23,10 @@ from linkwright.reductions.samples import OnSamples, SampledFigure, SampledFigur
 
 Array = NDArray[np.float64]
 
+PANELS = 32
+"""Panels of an interval on which squares of slopes are integrated, by Gauss and Legendre's rule."""
+POINTS, WEIGHTS = np.polynomial.legendre.leggauss(8)
+
 
 class _OfMean(MeasureKind):
     """A reduction that follows from the mean of a power of the signal."""
@@ -59,13 +63,18 @@ class _OfMean(MeasureKind):
 
     def clearance_bounds(self, found: WithPlay) -> list[Array]:
         """The directions are free at each time."""
-        total, size, length = np.zeros(found.joints), 0.0, 0.0
+        total, squares, size, length = np.zeros(found.joints), np.zeros(found.joints), 0.0, 0.0
         for a, b in found.deviations.nominal_run.intervals:
             t, weight = found.panels(a, b)
             here = found.deviations.values_at(t, rates=False)
-            total += found.worst(here.slope[0]) * np.abs(here.value[0]) ** (self.power - 1) @ weight
+            worst = found.worst(here.slope[0])
+            total += worst * np.abs(here.value[0]) ** (self.power - 1) @ weight
+            squares += worst**2 @ weight
             size, length = size + float(here.value[0] ** 2 @ weight), length + b - a
-        return [total / (length if self.power == 1 else np.sqrt(size * length))]
+        if self.power == 1:
+            return [total / length]
+        # Of a signal that is zero only the displacements make a root mean square.
+        return [total / np.sqrt(size * length) if size > 0 else np.sqrt(squares / length)]
 
 
 class MeanEntry(Measure):
@@ -127,8 +136,19 @@ class Rms(_OfMean):
         return figure
 
     def derivative(self, found: WithDeviations) -> list[Derivative]:
+        """Of a signal that is zero all along, that of the size of each deviation: it has a corner at zero."""
         total, slope, length, grows = found.integral(2)
-        return [Derivative.smooth((slope - total / length * grows) / length / (2 * np.sqrt(total / length)))]
+        if total > 0:
+            return [Derivative.smooth((slope - total / length * grows) / length / (2 * np.sqrt(total / length)))]
+        squares = np.zeros(found.count)
+        for a, b in found.nominal_run.intervals:
+            edges = np.linspace(a, b, PANELS + 1)
+            half = np.diff(edges) / 2
+            t = (edges[:-1] + half)[:, None] + half[:, None] * POINTS
+            steep = found.values_at(t.ravel(), rates=False).slope[0]
+            squares += steep**2 @ (half[:, None] * WEIGHTS).ravel()
+        size = np.sqrt(squares / length)
+        return [Derivative("", None, np.stack([size, -size])) if size.any() else Derivative.smooth(size)]
 
 
 @register

@@ -93,7 +93,8 @@ class Performed:
                 yield task.varied.finding(cause, int(count), plan.samples, sample, time, values)
             else:
                 data = {"count": int(count), "samples": plan.samples, "sample": sample}
-                yield Finding("study.no-value", ("studies", task.options.study), data)
+                code = "study.never-a-value" if count == plan.samples else "study.no-value"
+                yield Finding(code, ("studies", task.options.study), data)
 
 
 def refused(nominal: Run, options: Sampling, names: Iterable[str]) -> list[Finding]:

@@ -128,3 +128,24 @@ def test_an_output_that_is_zero_whatever_deviates_has_no_deviations() -> None:
 def test_samples_of_an_output_that_is_zero_are_measured_together() -> None:
     run = job_of(level_hand()).outcomes["cycle"].result.run
     assert Measuring(Varied(run.compiled, ["L1", "L2"]), run).single == set()
+
+
+def a_bar_that_stands(signal: str) -> dict[str, Any]:
+    data = crank_alone(level={"rms": signal})
+    data["parameters"] |= {"tip": {"value": 0, "tolerance": 0.1}}
+    data["links"]["bar"] = {"points": {"A": [0, 0], "C": [30, "tip"]}}
+    data["drives"]["hold"] = {"turns": "bar", "on": "frame", "position": "0 deg"}
+    return data
+
+
+def test_the_rms_of_nothing_has_no_transfer_coefficients() -> None:
+    figure = without_warnings(a_bar_that_stands("A.vy")).outcomes["accuracy"].figures["level"]
+    assert (figure.nominal, figure.sigma) == (0.0, 0.0)
+    assert not figure.coefficients.any()
+
+
+def test_the_rms_of_what_only_deviations_make_has_a_corner_at_zero() -> None:
+    """C.y is the deviation of the tip: its rms is the magnitude, with slopes of 1 and -1 mm/mm."""
+    figure = without_warnings(a_bar_that_stands("C.y")).outcomes["accuracy"].figures["level"]
+    assert figure.nominal == 0.0
+    assert sorted(figure.coefficients.ravel().round(12).tolist()) == [-1, 0, 0, 0, 0, 1]

@@ -314,3 +314,11 @@ def test_all_values_are_stored_and_an_interrupted_store_goes_on(tmp_path: Path) 
     assert a["C.x"].attrs["units"] == "m"
     performed(tmp_path / "a", keep="all", seed=5)  # a finished store gives way, as other files do
     assert (a["r"][...] != b["r"][...]).any()
+
+
+def test_no_sample_has_a_value() -> None:
+    """The rocker stands still twice a turn, whatever the crank's length: that isn't told of the first sample."""
+    data = four_bar(measures={"advantage": {"max": "crank.omega/rocker.omega"}})
+    outcome = lw.sweep(lw.Document.model_validate(data), {"a": {"from": 39, "to": 41, "count": 3}})
+    (finding,) = [f for f in outcome.warnings + outcome.failures if f.code.startswith("study.")]
+    assert (finding.code, finding.data["samples"]) == ("study.never-a-value", 3)

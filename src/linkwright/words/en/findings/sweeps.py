@@ -55,6 +55,12 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "Check for a singular position, a cam that locks its follower, a division by zero or a window that isn't "
         "reached; or narrow the ranges.",
     ),
+    "study.never-a-value": (
+        "In every one of the {samples} samples a measure or signal has no finite value, although the motion can be "
+        "followed.",
+        "Check the measures at the nominal values first: for a singular position, a cam that locks its follower, a "
+        "division by zero or a window that isn't reached.",
+    ),
     "study.alone": (
         "The study {study} is for structures without drives, but {name} needs a motion.",
         "Move {name} to a file of its own, with a drive.",
