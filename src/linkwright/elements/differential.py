@@ -140,16 +140,16 @@ class Differential(JointKind):
     orders: ClassVar[Mapping[str, int]] = {"torque": 2}
 
     def inner(self, geometry: JointGeometry, joint: str, links: Sequence[str]) -> InnerDifferential:
-        (constant,) = geometry.phases(joint) or (0.0,)
-        return InnerDifferential(self.weights(geometry, joint), constant)
+        weights, angles = self.weights(geometry, joint), geometry.phases(joint) or ()
+        return InnerDifferential(weights, sum((w * a for w, a in zip(weights, angles, strict=False)), 0.0))
 
     def weights(self, geometry: JointGeometry, joint: str) -> tuple[Scalar, ...]:
         """The weights of an entry."""
         return tuple(geometry.number(weight, u.PURE) for weight in geometry.mechanism.joints[joint].weights)
 
     def phase(self, geometry: JointGeometry, joint: str, bodies: Mapping[str, Body]) -> tuple[float, ...]:
-        inner = InnerDifferential(self.weights(geometry, joint), 0.0)
-        return (float(inner.turned([bodies[link] for link in geometry.mechanism.joints[joint].links])),)
+        *shafts, on = (continuous_angle(bodies[link]) for link in geometry.mechanism.joints[joint].links)
+        return tuple(float(shaft - on) for shaft in shafts)
 
     def reference(self, geometry: JointGeometry, joint: str, link: str, bodies: Mapping[str, Body]) -> Pair:
         """The link's origin; a torque is the same about every place."""

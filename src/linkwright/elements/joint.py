@@ -327,9 +327,10 @@ class JointKind(ABC):
         """The joint as closure between links, in this order."""
 
     def phase(self, geometry: JointGeometry, joint: str, bodies: Mapping[str, Body]) -> tuple[float, ...]:
-        """Of a kind that is ``phased`` the constants of its closure, such as how two gears mesh, from the pose in which
-        its links are drawn at the nominal dimensions; :meth:`JointGeometry.phases` has them from then on, for samples
-        of other dimensions too."""
+        """Of a kind that is ``phased`` the angles and travels that its closure counts from, such as how two gears mesh,
+        from the pose in which its links are drawn at the nominal dimensions; :meth:`JointGeometry.phases` has them from
+        then on, for samples of other dimensions too. Sums with radii, which samples vary, are made of them later: else
+        they would depend on how the axes of links are drawn."""
         raise NotImplementedError
 
     def play(

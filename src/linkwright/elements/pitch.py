@@ -125,8 +125,8 @@ class Pitch(NamedTuple):
         """The centre distance (m)."""
         return call("sqrt", self.line.dot(self.line))
 
-    def phase(self, a: Scalar, b: Scalar, line: Scalar) -> Scalar:
-        """The constant of the closure (m) by the angles of both wheels and of the line of centres (rad)."""
+    def rolled(self, a: Scalar, b: Scalar, line: Scalar) -> Scalar:
+        """What stays constant (m), by the angles of both wheels and of the line of centres (rad)."""
         first, second = self.radii
         return first * (a - line) + second * (b - line)
 
@@ -156,7 +156,7 @@ class InnerWheels(Inner):
     def gap(self, *bodies: Body) -> tuple[Jet, ...]:
         """Closure (m): what has passed at the pitch circle of one wheel but not at that of the other."""
         a, b = bodies[:2]
-        now = self.pitch.phase(a.angle, b.angle, self.turned(bodies)) - self.constant
+        now = self.pitch.rolled(a.angle, b.angle, self.turned(bodies)) - self.constant
         away = self.apart(a, b)
         if not away.x.order:
             return (Jet([now]),)
@@ -207,14 +207,16 @@ class WheelsKind(JointKind):
         return Pitch((geometry.point(a, at), geometry.point(b, to)), self.radii(geometry, joint, distance), line)
 
     def inner(self, geometry: JointGeometry, joint: str, links: Sequence[str]) -> InnerWheels:
-        (constant,) = geometry.phases(joint) or (0.0,)
+        pitch = self.pitch(geometry, joint)
+        constant = pitch.rolled(*(geometry.phases(joint) or (0.0, 0.0, 0.0)))
         across = geometry.play(joint, "across")  # by which the first wheel has run ahead
-        return self.closure(geometry, joint, self.pitch(geometry, joint), constant + across)
+        return self.closure(geometry, joint, pitch, constant + across)
 
     def phase(self, geometry: JointGeometry, joint: str, bodies: Mapping[str, Body]) -> tuple[float, ...]:
         inner = InnerWheels(self.pitch(geometry, joint), 0.0)
         poses = [bodies[link] for link in geometry.mechanism.joints[joint].links]
-        return (float(inner.pitch.phase(poses[0].angle, poses[1].angle, inner.turned(poses))),)
+        first, second = (float(continuous_angle(pose)) for pose in poses[:2])
+        return first, second, float(inner.turned(poses))
 
     def signal(
         self, geometry: JointGeometry, joint: str, attribute: str, bodies: Mapping[str, Body], reaction: Reaction

@@ -220,14 +220,15 @@ class Rack(JointKind):
 
     def inner(self, geometry: JointGeometry, joint: str, links: Sequence[str]) -> InnerRack:
         entry = geometry.mechanism.joints[joint]
-        (constant,) = geometry.phases(joint) or (0.0,)
+        along, turned = geometry.phases(joint) or (0.0, 0.0)
         away, _ = entry.lines(geometry)
+        radius = call("sign", away) * entry.pitch_radius(geometry)
         return InnerRack(
             geometry.point(entry.rack[0], entry.centre),
             geometry.point(entry.rack[1], entry.pitch_line.point),
             unit_vector(geometry.number(entry.pitch_line.angle, u.ANGLE)),
-            call("sign", away) * entry.pitch_radius(geometry),
-            constant + geometry.play(joint, "across"),
+            radius,
+            along + radius * turned + geometry.play(joint, "across"),
             call("tan", geometry.number(entry.pressure_angle, u.ANGLE)),
         )
 
@@ -238,7 +239,9 @@ class Rack(JointKind):
 
     def phase(self, geometry: JointGeometry, joint: str, bodies: Mapping[str, Body]) -> tuple[float, ...]:
         links = geometry.mechanism.joints[joint].links
-        return (float(self.inner(geometry, joint, links).rolled(*(bodies[link] for link in links))),)
+        a, b = (bodies[link] for link in links)
+        along = self.inner(geometry, joint, links).travel(a, b).d[0]
+        return float(along), float(continuous_angle(a) - continuous_angle(b))
 
     def reference(self, geometry: JointGeometry, joint: str, link: str, bodies: Mapping[str, Body]) -> Pair:
         """The pitch point."""

@@ -121,10 +121,9 @@ class OnLine(Inner):
         return away.dot(along), away.dot(along.perp)
 
     def drawn(self, a: Body, b: Body) -> tuple[float, ...]:
-        """Side and constant of a pose."""
+        """Of a pose the side, where the centre lies along the line (m), and the angle between disc and line (rad)."""
         x, y = (float(one.d[0]) for one in self.lies(a, b))
-        side = -1.0 if y < 0 else 1.0
-        return side, x + side * float(self.radius) * float(continuous_angle(a) - continuous_angle(b))
+        return -1.0 if y < 0 else 1.0, x, float(continuous_angle(a) - continuous_angle(b))
 
     def gap(self, *bodies: Body) -> tuple[Jet, ...]:
         """Closure (m): the gap to the line; what has passed along it but not at the circumference."""
@@ -159,11 +158,10 @@ class OnCircle(Inner):
         return self.round + self.rho * self.radius
 
     def drawn(self, a: Body, b: Body) -> tuple[float, ...]:
-        """The side, which says nothing here, and the constant of a pose."""
+        """The angles of a pose (rad): disc, circle, and the line of their centres."""
         away = a.point(self.centre).now.minus(b.point(self.base).now)
         line = float(np.arctan2(float(away.y), float(away.x)))
-        turned = self.round * continuous_angle(b) + self.rho * self.radius * continuous_angle(a)
-        return 1.0, float(turned - self.apart * line)
+        return float(continuous_angle(a)), float(continuous_angle(b)), line
 
     def gap(self, *bodies: Body) -> tuple[Jet, ...]:
         """Closure (m): the gap to the circle; what has passed along it but not at the circumference."""
@@ -206,14 +204,16 @@ class Rolling(JointKind):
 
     def inner(self, geometry: JointGeometry, joint: str, links: Sequence[str]) -> OnLine | OnCircle:
         entry, (a, b) = geometry.mechanism.joints[joint], links
-        side, constant = geometry.phases(joint) or (1.0, 0.0)
         centre, radius = geometry.point(a, entry.centre), geometry.number(entry.radius, u.LENGTH)
         base = geometry.point(b, entry.joint_points[1])
         if entry.on_circle is None:
             heading = unit_vector(geometry.number(entry.on_line.angle, u.ANGLE))
-            return OnLine(centre, radius, base, heading, side, constant)
-        circle = geometry.number(entry.on_circle.radius, u.LENGTH)
-        return OnCircle(centre, radius, base, circle, -1.0 if entry.on_circle.inside else 1.0, constant)
+            side, along, turned = geometry.phases(joint) or (1.0, 0.0, 0.0)
+            return OnLine(centre, radius, base, heading, side, along + side * radius * turned)
+        circle, rho = geometry.number(entry.on_circle.radius, u.LENGTH), -1.0 if entry.on_circle.inside else 1.0
+        disc, other, line = geometry.phases(joint) or (0.0, 0.0, 0.0)
+        constant = circle * other + rho * radius * disc - (circle + rho * radius) * line
+        return OnCircle(centre, radius, base, circle, rho, constant)
 
     def phase(self, geometry: JointGeometry, joint: str, bodies: Mapping[str, Body]) -> tuple[float, ...]:
         links = geometry.mechanism.joints[joint].links
