@@ -1,8 +1,8 @@
 """How far round-off may carry an expression: its value with every signal known to some digits only.
 
 Each signal stands for all numbers that its round-off can't tell apart: :data:`LITTLE` of its own size or of what is
-usual of its dimension, whichever is more, as that is the size of the terms that cancel in it. Interval arithmetic
-carries these sets through the expression. A set that holds zero is no more than round-off.
+usual of its dimension, whichever is more, as that is the size of the terms that cancel in it (of rates, their own).
+Interval arithmetic carries these sets through the expression. A set that holds zero is no more than round-off.
 """
 
 from __future__ import annotations
@@ -35,6 +35,8 @@ def spreads(run: Run, trees: Sequence[Node], t: Array, little: float = LITTLE) -
     names = run.signals_of(trees)
     values = run.evaluate(names, t) if names else np.empty((0, t.size))
     sizes = run.usual(run.dimension(name) for name in names)
+    # Rates of bodies that don't touch may differ by any power of ten, as where one steps: none tells of another's.
+    sizes = [0.0 if _is_rate(run, name) else size for name, size in zip(names, sizes, strict=True)]
     with np.errstate(all="ignore"):
         rows = {
             name: Intervals(row - off, row + off)
@@ -42,6 +44,11 @@ def spreads(run: Run, trees: Sequence[Node], t: Array, little: float = LITTLE) -
             for off in (little * np.maximum(np.abs(row), size),)
         }
     return [_spread(run, tree, t, rows) for tree in trees]
+
+
+def _is_rate(run: Run, name: str) -> bool:
+    dimension = run.dimension(name)
+    return dimension.mass == 0 and dimension.time < 0
 
 
 def vanishing(run: Run, trees: Sequence[Node], t: Array) -> list[bool]:
