@@ -329,7 +329,14 @@ def test_zero_needs_no_unit() -> None:
 def test_a_wrong_unit_is_told_and_not_missed_too() -> None:
     units = {"length": "kg", "angle": "%", "time": "s^2", "mass": "kg*mm/mm", "force": "N*m", "torque": "bar"}
     q = model(units=units)
-    assert {finding.data["base"] for finding in q.findings} == set(units)
+    assert {finding.path: finding.data["usual"] for finding in q.findings} == {
+        ("units", "length"): "mm",
+        ("units", "angle"): "deg",
+        ("units", "time"): "s",
+        ("units", "mass"): "kg",
+        ("units", "force"): "N",
+        ("units", "torque"): "N*m",
+    }
     assert {finding.code for finding in q.findings} == {"units.wrong"}
 
 

@@ -16,6 +16,7 @@ from linkwright.kernels import Compiled
 from linkwright.model.document import Document, load, parse_document, plain, read_document
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.sections import Sections
+from linkwright.model.stiffness import JOINTS
 from linkwright.reductions import ENTRIES as MEASURES
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -46,6 +47,9 @@ def wrapped(data: Mapping[str, Any]) -> dict[str, Any]:
     head = {key: value for key, value in data.items() if key not in inside}
     if "gravity" in head and "parameters" in inside:
         head["parameters"] = inside["parameters"]
+    if "stiffness" in head:  # that of a whole mechanism, by the names that elements have in it
+        stated = head["stiffness"].items()
+        head["stiffness"] = {name if name == JOINTS else f"{NAME}_{name}": value for name, value in stated}
     known = head.pop("subassemblies", {})
     return {**head, "subassemblies": {**known, "whole": inside}, "links": {}, "copies": {NAME: {"of": "whole"}}}
 

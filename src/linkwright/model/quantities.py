@@ -188,7 +188,8 @@ def _meant(word: str, base: str) -> str | None:
     from linkwright.expressions.respelled import unit_respelled
 
     meant = unit_respelled(word)
-    return meant if meant is not None and unit(meant)[1].physical == u.BASE_DIMENSIONS[base].physical else None
+    other = meant is not None and meant != word and len(words_of(meant)) == 1
+    return meant if other and unit(meant)[1] == u.BASE_DIMENSIONS[base] else None
 
 
 def _collapsed(findings: list[Finding], wrong: set[str]) -> list[Finding]:
