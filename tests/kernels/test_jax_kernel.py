@@ -183,7 +183,7 @@ def test_without_jax_a_finding_says_what_to_install(monkeypatch: pytest.MonkeyPa
     with pytest.raises(ModelError) as caught:
         JaxKernel(program)
     assert [f.code for f in caught.value.findings] == ["file.needs-package"]
-    assert "pip install 'linkwright[gpu]'" in str(caught.value)
+    assert 'pip install "linkwright[gpu]"' in str(caught.value)
 
 
 def test_the_kernels_are_known_without_importing_their_packages() -> None:

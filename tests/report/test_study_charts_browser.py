@@ -138,7 +138,7 @@ class Opened:
 
     def table(self, chart: Any) -> tuple[list[str], Any]:
         """Its CSV: the head, the numbers."""
-        head, *rows = csv.reader(self.save(chart, "CSV").read_text(encoding="utf-8").splitlines())
+        head, *rows = csv.reader(self.save(chart, "CSV").read_text(encoding="utf-8-sig").splitlines())
         return head, np.array([[float(cell or "nan") for cell in row] for row in rows])
 
 
@@ -340,7 +340,7 @@ def test_lines_of_a_workspace_have_equal_axes_and_their_drives_values(show: Any)
     texts = [each.text for each in ElementTree.parse(view.save(chart, "SVG")).getroot().iter(f"{SVG}text")]
     assert any("Trajectories of E" in (text or "") for text in texts)
     assert view.save(chart, "PNG").read_bytes().startswith(b"\x89PNG")
-    rows = view.save(chart, "CSV").read_text(encoding="utf-8").splitlines()
+    rows = view.save(chart, "CSV").read_text(encoding="utf-8-sig").splitlines()
     assert rows[0].startswith("curve,part,x [mm],y [mm],")
     places = np.array([[float(cell) for cell in row.rsplit(",", 3)[1:3]] for row in rows[1:] if row.endswith(",90")])
     np.testing.assert_allclose(np.hypot(*places.T), 50, rtol=2e-3)
