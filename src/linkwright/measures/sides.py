@@ -31,6 +31,8 @@ NODES = 6
 """Times at which values and rates are taken for a polynomial of :data:`TERMS` coefficients."""
 FITS = 1e-11
 """A polynomial that misses by no more than this share of the values stands for the signal."""
+ROUGH = 1e-14
+"""So does one that misses by this share of what is usual of the signal's dimension: near a zero that is round-off."""
 NEARER = 12
 """How often the stretch is cut down to a fifth until it fits."""
 FARTHEST = 1 / 64
@@ -315,6 +317,7 @@ class Sides:
         reach = self._fit_lengths(times, side)
         kept, least, fits = reach.copy(), np.full(times.size, np.inf), np.zeros(times.size, dtype=int)
         left = np.arange(times.size) if atoms else np.empty(0, dtype=int)
+        round_off = np.array([self._round_off(node) for node in atoms])
         for attempt in range(NEARER):
             if not left.size:
                 break
@@ -330,7 +333,7 @@ class Sides:
             c = data @ FIT.T
             miss = np.abs(data @ MISS.T).max(axis=2)
             size = np.abs(data[:, :, :NODES]).max(axis=2) + 1e-300
-            good = (miss <= FITS * size).all(axis=0) | (attempt == NEARER - 1)
+            good = (miss <= np.maximum(FITS * size, round_off[:, None])).all(axis=0) | (attempt == NEARER - 1)
             # Errors of the coefficients: round-off of the data, the misfit, and the uncertainty of the time itself.
             noise = 4 * EPS * np.abs(data) + 2 * miss[:, :, None]
             off = np.array([self._sharp(time) for time in times[left].tolist()]) / reach[left]
@@ -351,6 +354,13 @@ class Sides:
         for some in found:
             self._divided(some)
         return list(zip(found, kept.tolist(), strict=True))
+
+    def _round_off(self, node: Node) -> float:
+        """What a signal may miss a polynomial by, by the round-off of the terms that cancel in it; 0 of other atoms."""
+        if not is_signal(node) or self.atoms[node] is not None:
+            return 0.0
+        (name,) = self.run.signals_of([node])
+        return ROUGH * self.run.usual([self.run.dimension(name)])[0]
 
     def _divided(self, atoms: dict[Node, Germ]) -> None:
         """Signals that are quotients: their numerators over their denominators."""
