@@ -95,4 +95,4 @@ def test_without_xarray_a_finding_says_what_to_install(result: lw.Result, monkey
     with pytest.raises(lw.ModelError) as caught:
         result.to_xarray()
     assert [f.code for f in caught.value.findings] == ["file.needs-package"]
-    assert "pip install 'linkwright[xarray]'" in str(caught.value)
+    assert 'pip install "linkwright[xarray]"' in str(caught.value)
