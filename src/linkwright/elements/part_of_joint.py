@@ -120,42 +120,38 @@ class PinAcross(PartOfJoint):
         return [*bodies[list(links).index(self.link)].direction(self.heading(geometry, joint)).now]
 
 
+class PartOfSlide(PartOfJoint):
+    """A slide with the equation ``index`` of its closure."""
+
+    index: ClassVar[int]
+
+    @property
+    def whole(self) -> JointKind:
+        return kind("prismatic")
+
+    def inner(self, geometry: JointGeometry, joint: str, links: Sequence[str]) -> InnerEquation:
+        return InnerEquation(self.whole.inner(geometry, joint, links), self.index)
+
+    def dropped(
+        self, geometry: JointGeometry, joint: str, links: Sequence[str], bodies: Sequence[Body]
+    ) -> list[Scalar]:
+        return [float(i != self.index) for i in range(self.whole.rows)]
+
+
 @dataclass(frozen=True)
-class SlideAcross(PartOfJoint):
+class SlideAcross(PartOfSlide):
     """A slide that holds the second link's point on the first one's line; others hold its direction."""
 
     name = "slide_across"
+    index = 1
     row_units = ("length",)
-
-    @property
-    def whole(self) -> JointKind:
-        return kind("prismatic")
-
-    def inner(self, geometry: JointGeometry, joint: str, links: Sequence[str]) -> InnerEquation:
-        return InnerEquation(self.whole.inner(geometry, joint, links), 1)
-
-    def dropped(
-        self, geometry: JointGeometry, joint: str, links: Sequence[str], bodies: Sequence[Body]
-    ) -> list[Scalar]:
-        return [1.0, 0.0]
 
 
 @dataclass(frozen=True)
-class SlideParallel(PartOfJoint):
+class SlideParallel(PartOfSlide):
     """A slide that holds the directions of its links; others hold the place across."""
 
     name = "slide_parallel"
+    index = 0
     keeps_direction = True
     row_units = ("angle",)
-
-    @property
-    def whole(self) -> JointKind:
-        return kind("prismatic")
-
-    def inner(self, geometry: JointGeometry, joint: str, links: Sequence[str]) -> InnerEquation:
-        return InnerEquation(self.whole.inner(geometry, joint, links), 0)
-
-    def dropped(
-        self, geometry: JointGeometry, joint: str, links: Sequence[str], bodies: Sequence[Body]
-    ) -> list[Scalar]:
-        return [0.0, 1.0]

@@ -18,6 +18,7 @@ from linkwright.data_classes import dataclass
 from linkwright.elements.joint import kind
 from linkwright.elements.part_of_joint import PartOfJoint, PinAcross, SlideAcross, SlideParallel
 from linkwright.graph.constraints import Constraints
+from linkwright.graph.statics import Statics
 from linkwright.structure import Release
 
 Array = NDArray[np.float64]
@@ -75,14 +76,9 @@ class SpareEquations:
     @cached_property
     def stresses(self) -> list[Array]:
         """The states of self-stress at each pose, orthonormal: (rows, states)."""
-        found = []
-        for z in self.poses:
-            u, values, _ = np.linalg.svd(self.system.jacobian(z))
-            rank = int(np.count_nonzero(values > 1e-9 * values.max(initial=0.0)))
-            found.append(u[:, rank:])
-        return found
+        return [Statics(self.system, z, {}).self_stresses for z in self.poses]
 
-    @property
+    @cached_property
     def states(self) -> int:
         """The least number of states at a pose: at special ones there may be more."""
         return min(int(stress.shape[1]) for stress in self.stresses)
@@ -91,16 +87,17 @@ class SpareEquations:
     def on_drives(self) -> float:
         """The largest force of a drive in a state of self-stress; none where the mechanism can move."""
         first = len(self.system.names)
-        return max(float(np.abs(stress[first:]).max(initial=0.0)) for stress in self.generic)
+        return max(float(np.abs(stress[first:]).max(initial=0.0)) for _, stress in self.generic)
 
     @property
-    def generic(self) -> list[Array]:
-        """The states at the poses that have the fewest."""
-        return [stress for stress in self.stresses if stress.shape[1] == self.states]
+    def generic(self) -> list[tuple[Array, Array]]:
+        """The poses that have the fewest states, with these."""
+        every = zip(self.poses, self.stresses, strict=True)
+        return [(z, stress) for z, stress in every if stress.shape[1] == self.states]
 
     def choose(self, candidates: Sequence[Candidate]) -> list[Candidate] | None:
         """The first candidates that tell all states apart; ``None`` where they don't."""
-        places = [(z, s) for z, s in zip(self.poses, self.stresses, strict=True) if s.shape[1] == self.states]
+        places = self.generic
         # Of each candidate and pose the forces in its equations: (equations, states).
         forces = [[one.weights(self.system, z) @ stress for z, stress in places] for one in candidates]
         chosen: list[Candidate] = []

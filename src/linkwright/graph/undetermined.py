@@ -18,9 +18,9 @@ from linkwright.graph.shared_statics import SharedStatics
 from linkwright.graph.statics import Statics
 from linkwright.model.signals import Contact, Signals
 from linkwright.structure import SelfStress
+from linkwright.structure.releases import Component
 
 Array = NDArray[np.float64]
-Component = tuple[str, str, str]
 
 TOUCHED = 1e-8
 """The least force, in a state of self-stress of size 1, by which a component isn't determined."""

@@ -74,6 +74,7 @@ class Corrector:
         self.rows = graph.coordinates(higher_group)
         self.scale = np.array(higher_group.units(size))
         self.slides = 1.0 - np.array(higher_group.turning, dtype=float)
+        self.sign = np.nan  # that of the determinant of the closures' slopes at the start pose: the assembly mode
 
     @cached_property
     def solver(self) -> Kernel:
@@ -107,12 +108,12 @@ class Corrector:
         return np.asarray(np.abs(step / self.sizes(u)).max(axis=0))
 
     def certified(
-        self, x: Array, start: Array, found: Array, ending: Array, p: Array, sign: float, near: float = SURE
+        self, x: Array, start: Array, found: Array, ending: Array, p: Array, near: float = SURE
     ) -> NDArray[np.bool_]:
-        """Which poses ``found`` from a ``start`` (n, poses), with the slopes ``ending`` there, have the mode of a
-        ``sign`` and are the only root that can be meant: (poses,). Of those that Newton moved by less than ``near`` the
-        sign alone is asked."""
-        sure = signs(ending) == sign
+        """Which poses ``found`` from a ``start`` (n, poses), with the slopes ``ending`` there, have the mode of the
+        start pose and are the only root that can be meant: (poses,). Of those that Newton moved by less than ``near``
+        the sign alone is asked."""
+        sure = signs(ending) == self.sign
         moved = np.flatnonzero(sure & ~(self.largest_step(found - start, found) < near))
         if moved.size:
             own = p if p.ndim == 1 else p[:, moved]
@@ -153,7 +154,6 @@ class Continuation(Corrector):
         super().__init__(graph, higher_group, size, kernel)
         self.start = np.array(start)
         self.path = HigherGroupPath()
-        self.sign = np.nan  # that of the determinant of the closures' slopes at the start pose: the assembly mode
         self.correction = 0.0  # the most that Newton moved a foretold coordinate (rad, or over the size)
 
     @cached_property
@@ -167,7 +167,7 @@ class Continuation(Corrector):
         start = self.foretell(x, t, p, at)
         found = self.newton(x, start, p)
         # Where a pose isn't certified, lay the path through it by steps that are; where that can't be, it ends.
-        doubtful = np.isfinite(start[0]) & ~self.certified(x, start, found, self.slopes(x, found, p), p, self.sign)
+        doubtful = np.isfinite(start[0]) & ~self.certified(x, start, found, self.slopes(x, found, p), p)
         if doubtful.any():
             for time in np.unique(t[doubtful]).tolist():
                 self.lay_through(time, p, at)
@@ -246,7 +246,7 @@ class Continuation(Corrector):
         starts, poses = np.stack([guess, middle], axis=1), np.stack([b, solved], axis=1)
         if not self.largest_step(poses - starts, poses).max() < CLOSE:
             return False
-        return bool(self.certified(x, starts, poses, self.slopes(x, poses, p), p, self.sign).all())
+        return bool(self.certified(x, starts, poses, self.slopes(x, poses, p), p).all())
 
     def rates(self, x: Array, u: Array, p: Array) -> Array:
         """The rates of the coordinates ``u`` (n,) at one pose: (n,)."""

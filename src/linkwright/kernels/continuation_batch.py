@@ -39,8 +39,6 @@ HELD = 1 << 14
 class _Joined(Corrector):
     """Newton on one higher group, from a prediction by the slopes of its closure equations."""
 
-    sign = np.nan  # that of the determinant of the slopes at the nominal start pose: the assembly mode of all samples
-
     def step(self, x: Array, p: Array, slopes: Array) -> tuple[Array, Array]:
         """Put the coordinates into the inputs, which hold those of poses nearby, where the ``slopes`` are known.
 
@@ -58,7 +56,7 @@ class _Joined(Corrector):
         ending = self.closure_errors(x, p)[1]
         back = found + steps(ending, missed)
         off = np.maximum(self.largest_step(found - guess, found), self.largest_step(back - u, found))
-        off[~self.certified(x, guess, found, ending, p, self.sign)] = np.inf
+        off[~self.certified(x, guess, found, ending, p)] = np.inf
         # The step also must not move any coordinate by more than the stride, however good the prediction is.
         return np.maximum(off / CLOSE, self.largest_step(found - u, found) / STRIDE), ending
 
@@ -86,7 +84,7 @@ class Pursuit:
         for joined in self.joined:
             start = x[joined.rows]
             x[joined.rows] = found = joined.solver.run(x, p)
-            sure &= joined.certified(x, start, found, joined.closure_errors(x, p)[1], p, joined.sign, near)
+            sure &= joined.certified(x, start, found, joined.closure_errors(x, p)[1], p, near)
         return x[self.rows], sure
 
     def largest_step(self, step: Array, u: Array) -> Array:
