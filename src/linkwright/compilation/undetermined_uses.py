@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.dimensions import DimensionError
-from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, nodes, signal_text
+from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, signal_text, signals_in
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model.places import ExpressionPlace
@@ -42,9 +42,8 @@ def undetermined_uses(compiled: Compiled, places: Iterable[ExpressionPlace]) -> 
 def undetermined_in(compiled: Compiled, node: Node) -> str | None:
     """The first signal in an expression that isn't determined, unless its whole value is."""
     signals = compiled.quantities.signals
-    asked = [part for part in nodes(node) if isinstance(part, Name | Call) and is_signal(part)]
     found = []
-    for part in asked:
+    for part in signals_in(node):
         try:
             signal = signals.find(part)
         except DimensionError:  # told elsewhere
@@ -60,7 +59,7 @@ def _same(compiled: Compiled, node: Node) -> bool:
     """Whether no state of self-stress changes the value of an expression."""
     stress, quantities = compiled.structure.self_stress, compiled.quantities
     t = np.array(stress.times)
-    asked = dict.fromkeys(signal_text(n) for n in nodes(node) if isinstance(n, Name | Call) and is_signal(n))
+    asked = dict.fromkeys(map(signal_text, signals_in(node)))
     rows = dict(zip(asked, compiled.possible_rows([*asked], t), strict=True))
     size = max((float(np.abs(row).max()) for row in rows.values()), default=0.0) or 1.0
     changed = dict(rows)

@@ -29,8 +29,7 @@ from linkwright.elements.joint import Applied, Restated
 from linkwright.elements.mover import exerted
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression
-from linkwright.expressions.language import Call, Node, evaluate, is_signal, nodes, signal_text
-from linkwright.expressions.language import Name as Named
+from linkwright.expressions.language import Node, evaluate, signal_text, signals_in
 from linkwright.expressions.trees import replaced
 from linkwright.expressions.typed_fields import Scope, of_drive
 from linkwright.expressions.unknown import near
@@ -51,8 +50,7 @@ class CouplingEntry(FollowerEntry):
     @property
     def asked(self) -> list[str]:
         """The signals that the expression names."""
-        found = (node for node in nodes(self.expression.node) if isinstance(node, Named | Call))
-        return [*dict.fromkeys(signal_text(node) for node in found if is_signal(node))]
+        return [*dict.fromkeys(map(signal_text, signals_in(self.expression.node)))]
 
 
 @register_follower

@@ -39,7 +39,7 @@ from linkwright.elements.pins import pins
 from linkwright.elements.touch import Reacting
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Name
-from linkwright.expressions.language import FUNCTIONS, Call, is_signal, nodes
+from linkwright.expressions.language import FUNCTIONS, Call, is_signal, nodes, signals_in
 from linkwright.expressions.language import Name as Signal
 from linkwright.expressions.typed_fields import Context, Path, Quantity, Ref, Scope, Sign
 from linkwright.expressions.units import Dimension
@@ -112,7 +112,7 @@ class Friction(ForceEntry):
     def mirrored(self, name: str, mirror: Mirror) -> Self:
         """The same friction seen in a mirror: it works against the motion either way. A coefficient that follows the
         motion may ask signals that change their sign."""
-        if self.coefficient is not None and any(is_signal(part) for part in nodes(self.coefficient.node)):
+        if self.coefficient is not None and signals_in(self.coefficient.node):
             raise NotMirroredError
         return self
 

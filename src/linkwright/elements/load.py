@@ -19,7 +19,7 @@ from linkwright.elements.mirror import Mirror, NotMirroredError
 from linkwright.elements.points import FRAME
 from linkwright.expressions.dimensions import crossed
 from linkwright.expressions.fields import Expression, Name
-from linkwright.expressions.language import is_signal, nodes
+from linkwright.expressions.language import signals_in
 from linkwright.expressions.typed_fields import Path, Quantity, Ref, Scope
 from linkwright.expressions.units import FORCE, TORQUE, Dimension
 from linkwright.expressions.written import Fault
@@ -68,7 +68,7 @@ class Load(ForceEntry):
         """The same load seen in a mirror, where it is a force along a slide that doesn't follow the motion."""
         if self.along is None or self.torque is not None or isinstance(self.force, tuple) or self.force is None:
             raise NotMirroredError
-        if any(is_signal(part) for part in nodes(self.force.node)):
+        if signals_in(self.force.node):
             raise NotMirroredError
         return (
             self

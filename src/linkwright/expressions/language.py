@@ -28,6 +28,7 @@ from linkwright.expressions.trees import (
     is_signal,
     nodes,
     signal_text,
+    signals_in,
     text_of,
 )
 from linkwright.laws.step import step5
@@ -49,6 +50,7 @@ __all__ = [
     "nodes",
     "parse",
     "signal_text",
+    "signals_in",
     "text_of",
 ]
 

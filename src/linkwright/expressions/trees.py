@@ -98,6 +98,11 @@ def is_signal(node: Node) -> bool:
     return isinstance(node, Call) and node.attribute is not None
 
 
+def signals_in(*trees: Node) -> list[Name | Call]:
+    """The signals that expressions name, as often as they do."""
+    return [part for tree in trees for part in nodes(tree) if isinstance(part, Name | Call) and is_signal(part)]
+
+
 def signal_text(node: Name | Call) -> str:
     """The canonical spelling of a signal: ``E.x``, ``force(frame, crank).x``."""
     if isinstance(node, Name):

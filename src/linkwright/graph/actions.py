@@ -16,7 +16,7 @@ import casadi as ca
 from linkwright.data_classes import dataclass
 from linkwright.elements.follower import Follower
 from linkwright.elements.force import Acting, Break
-from linkwright.expressions.language import FUNCTIONS, Call, Name, Node, is_signal, nodes, signal_text
+from linkwright.expressions.language import FUNCTIONS, Call, Name, Node, nodes, signal_text, signals_in
 from linkwright.expressions.trees import children
 from linkwright.model.signals import Signal
 from linkwright.notation import Scalar, Wrench
@@ -64,8 +64,7 @@ class Actions:
     @cached_property
     def signals(self) -> list[Signal]:
         """The signals on which it depends."""
-        found = [part for law in self.laws for part in nodes(law) if isinstance(part, Name | Call) and is_signal(part)]
-        texts = [signal_text(part) for part in found]
+        texts = [signal_text(part) for part in signals_in(*self.laws)]
         texts += [window.signal for window in map(self.graph.quantities.window, self.windows) if window.signal]
         texts += [text for one in self.every for text in one.kind.depends(one.name, one.entry)]
         return [self.graph.signal(text) for text in dict.fromkeys(texts)]

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from linkwright.data_classes import dataclass
 from linkwright.elements.force import Acting
-from linkwright.expressions.language import Call, Name, Node, Number, is_signal, nodes, signal_text, text_of
+from linkwright.expressions.language import Node, Number, nodes, signal_text, signals_in, text_of
 from linkwright.graph.actions import active
 from linkwright.graph.derivative_orders import ORDERS
 from linkwright.graph.forces import lever, unit_efforts
@@ -329,8 +329,7 @@ class ExpressionRow(Row):
         return " ".join([f"expression/{text_of(self.node)}", *rest])
 
     def order(self, graph: Graph) -> int:
-        parts = (part for part in nodes(self.node) if isinstance(part, Name | Call) and is_signal(part))
-        return graph.order(signal_text(part) for part in parts)
+        return graph.order(map(signal_text, signals_in(self.node)))
 
     def expression(self, view: View) -> Scalar:
         return view.evaluate(self.node)

@@ -16,7 +16,18 @@ from numpy.typing import NDArray
 
 from linkwright.data_classes import dataclass
 from linkwright.expressions.fields import Expression
-from linkwright.expressions.language import FUNCTIONS, Binary, Call, Name, Negative, Node, Number, is_signal, nodes
+from linkwright.expressions.language import (
+    FUNCTIONS,
+    Binary,
+    Call,
+    Name,
+    Negative,
+    Node,
+    Number,
+    is_signal,
+    nodes,
+    signals_in,
+)
 from linkwright.expressions.units import ANGLE, Dimension
 from linkwright.graph.graph import Graph
 from linkwright.graph.rows import ExpressionRow, Named
@@ -304,8 +315,7 @@ class _Reader:
 
     def angles(self, trees: Iterable[Node]) -> list[str]:
         """The angles in some expressions that jump by whole turns."""
-        parts = (part for tree in trees for part in nodes(tree) if isinstance(part, Name | Call) and is_signal(part))
-        return [name for name in dict.fromkeys(map(self.canonical, parts)) if self.graph.wrapped(name)]
+        return [name for name in dict.fromkeys(map(self.canonical, signals_in(*trees))) if self.graph.wrapped(name)]
 
     def watched(self, trees: Sequence[Node]) -> tuple[Named, ...]:
         """The angles whose whole turns alter an expression by something else than whole turns."""

@@ -312,12 +312,13 @@ class Sides:
 
     def _fitted(self, times: Array, side: int) -> list[tuple[dict[Node, Germ], float]]:
         """The atoms' germs at each time with the stretch (s) that they hold on, cut down until a polynomial fits."""
-        atoms = list(self.atoms)
+        run, atoms = self.run, list(self.atoms)
         found: list[dict[Node, Germ]] = [{} for _ in times]
         reach = self._fit_lengths(times, side)
         kept, least, fits = reach.copy(), np.full(times.size, np.inf), np.zeros(times.size, dtype=int)
         left = np.arange(times.size) if atoms else np.empty(0, dtype=int)
-        round_off = np.array([self._round_off(node) for node in atoms])
+        # What a signal may miss a polynomial by; of quotients their numerators are fitted.
+        round_off = np.array([ROUGH * run.cancelling(node) if self.atoms[node] is None else 0.0 for node in atoms])
         for attempt in range(NEARER):
             if not left.size:
                 break
@@ -354,13 +355,6 @@ class Sides:
         for some in found:
             self._divided(some)
         return list(zip(found, kept.tolist(), strict=True))
-
-    def _round_off(self, node: Node) -> float:
-        """What a signal may miss a polynomial by, by the round-off of the terms that cancel in it; 0 of other atoms."""
-        if not is_signal(node) or self.atoms[node] is not None:
-            return 0.0
-        (name,) = self.run.signals_of([node])
-        return ROUGH * self.run.usual([self.run.dimension(name)])[0]
 
     def _divided(self, atoms: dict[Node, Germ]) -> None:
         """Signals that are quotients: their numerators over their denominators."""

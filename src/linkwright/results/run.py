@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, nodes
+from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, signals_in
 from linkwright.expressions.units import Dimension
 from linkwright.graph.rows import Named, effort
 from linkwright.kernels import Compiled
@@ -167,8 +167,7 @@ class Run:
 
     def signals_of(self, trees: Sequence[Node]) -> list[str]:
         """The canonical names of all signals in some expressions."""
-        parts = (part for tree in trees for part in nodes(tree))
-        return list(dict.fromkeys(self.canonical(p) for p in parts if isinstance(p, Name | Call) and is_signal(p)))
+        return list(dict.fromkeys(map(self.canonical, signals_in(*trees))))
 
     def dimension(self, name: str) -> Dimension:
         """The dimension of a signal."""
@@ -187,6 +186,14 @@ class Run:
                 key = signal.dimension.physical
                 self._usual[key] = max(float(row[np.isfinite(row)].max(initial=0.0)), self._usual[key])
         return [self._usual[dimension] for dimension in asked]
+
+    def cancelling(self, node: Node) -> float:
+        """The size (SI) of what cancels in a signal that is round-off, such as the angle of a level platform; 0 of
+        other expressions."""
+        if not is_signal(node):
+            return 0.0
+        (name,) = self.signals_of([node])
+        return self.usual([self.dimension(name)])[0]
 
     def _continuous(self, name: str, t: Array, wrapped: Array) -> Array:
         """Add whole turns so that the angle runs on without jumps from its value at the start of the run."""

@@ -19,7 +19,7 @@ from functools import cached_property, partial
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.expressions.language import Call, Name, Node, is_signal
+from linkwright.expressions.language import Node
 from linkwright.graph.rows import determinants, reaches, spans
 from linkwright.kernels.parameter_batch import Varied
 from linkwright.measures import BoundMeasure, MeasureResult, bound_measures, measure_all
@@ -86,19 +86,11 @@ class Measuring:
         straight = any(tables[lookup.table].degree == 1 and not lookup.integral for lookup in lookups)
         return straight and measure.kind.power is not None
 
-    def cancelling(self, node: Node) -> float:
-        """The size (SI) of what cancels in a signal that is round-off, such as the angle of a level platform; 0 of
-        other expressions."""
-        if not (isinstance(node, Name | Call) and is_signal(node)):
-            return 0.0
-        (name,) = self.run.signals_of([node])
-        return self.run.usual([self.run.dimension(name)])[0]
-
     def _steps(self) -> int:
         """The steps of the grid; measures that the nominal run needs a finer one for go to the others."""
         run, steps = self.run, [min(self.run.grid, MOST_STEPS)]
         every = [*dict.fromkeys(node for measure in self.shared for node in measure.nodes)]
-        scales = [self.cancelling(node) for node in every]
+        scales = [run.cancelling(node) for node in every]
         fine = fineness(partial(run.all_rates, every), run.start, run.stop, run.grid, scales) if every else []
         needed = dict(zip(every, fine, strict=True))
         for measure in self.shared:
@@ -150,7 +142,7 @@ class Measuring:
         if not self.shared or many.failed.any():
             return set()
         sizes = [
-            max(float(np.abs(nominal.on_grid(measure.signal)[0]).max()), SLIGHT * self.cancelling(measure.signal))
+            max(float(np.abs(nominal.on_grid(measure.signal)[0]).max()), SLIGHT * self.run.cancelling(measure.signal))
             for measure in self.shared
         ]
         own = measure_all(self.run, self.shared)[0]

@@ -132,7 +132,7 @@ class Taken:
         for tree, places in asks.items():
             asked = [(self.windows[window], sign) for window, sign in places]
             figures = peaks(
-                self.bunch, tree, asked, self.windows.gaps, beside.get(tree), self.measuring.cancelling(tree)
+                self.bunch, tree, asked, self.windows.gaps, beside.get(tree), self.measuring.run.cancelling(tree)
             )
             found |= {(tree, *place): figure for place, figure in zip(places, figures, strict=True)}
         return found

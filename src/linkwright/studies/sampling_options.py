@@ -10,7 +10,7 @@ from pydantic import BeforeValidator, Field, PrivateAttr, ValidationInfo, WithJs
 from linkwright.expressions import units as u
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.fields import Expression, Frozen, fault
-from linkwright.expressions.language import Call, Name, is_signal, nodes
+from linkwright.expressions.language import Name, nodes, signals_in
 from linkwright.expressions.unknown import near
 from linkwright.expressions.written import describe
 from linkwright.findings import Finding
@@ -105,7 +105,7 @@ def check_outputs(compiled: Compiled, options: Sampling) -> Iterator[Finding]:
 
 def of_signals(expression: Expression) -> bool:
     """Whether it names any signal."""
-    return any(isinstance(part, Name | Call) and is_signal(part) for part in nodes(expression.node))
+    return bool(signals_in(expression.node))
 
 
 def signal_faults(compiled: Compiled, expression: Expression, path: tuple[str | int, ...]) -> list[Finding]:
