@@ -16,7 +16,7 @@ from linkwright.studies import STUDIES, read_studies
 from linkwright.studies.modes.outcome import ModesOutcome
 from linkwright.studies.modes.report import modes_data
 from linkwright.studies.modes.study import ModesOptions, find_modes, own_mode
-from linkwright.studies.redundant import refused_redundant
+from linkwright.studies.redundant_mechanisms import refused_redundant
 
 
 @dataclass

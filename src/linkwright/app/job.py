@@ -31,7 +31,7 @@ from linkwright.report.build import report_data
 from linkwright.report.page import page
 from linkwright.report.summary import drawn, found, summary
 from linkwright.studies import NOWHERE, STUDIES, RunContext, Stopped, Study, StudyTask, read_studies
-from linkwright.studies.redundant import refused_redundant
+from linkwright.studies.redundant_mechanisms import refused_redundant
 from linkwright.studies.registry import OfStructures, Outcomes
 
 CANNOT = ("structure.", "assembly.", "motion.", "measure.nothing", "measure.not-finite", "export.cannot-")

@@ -19,9 +19,9 @@ from linkwright.elements.force import Reactions, Resistance
 from linkwright.graph.friction import FrictionSystem, Resisting
 from linkwright.graph.geometry import ZERO
 from linkwright.graph.higher_groups import Beside
+from linkwright.graph.load_sharing import shares
 from linkwright.graph.motion import Motion
 from linkwright.graph.placing import outer_joint
-from linkwright.graph.sharing import shares
 from linkwright.groups.linear import Factor
 from linkwright.notation import Body, Pair, Scalar, Wrench
 from linkwright.notation.jets import is_zero

@@ -25,7 +25,7 @@ from linkwright.graph.constraints import Constraints
 from linkwright.graph.geometry import Geometry, extent
 from linkwright.graph.spare_equations import Candidate, SpareEquations, kept_rows
 from linkwright.graph.standing import close_joints, keeps_rules, sketched_places, starts
-from linkwright.graph.undetermined import Undetermined
+from linkwright.graph.undetermined_reactions import UndeterminedReactions
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Pair
@@ -102,7 +102,7 @@ def redundant(quantities: Quantities, structure: Structure, values: Values) -> t
     if found.worst < AGREES and found.spare.on_drives < NEARLY * NEARLY:
         system = found.spare.system
         system.set_drive_values(values(0.0))
-        left = Undetermined(system, found.poses[:: max(1, len(found.poses) // 6)], quantities.signals)
+        left = UndeterminedReactions(system, found.poses[:: max(1, len(found.poses) // 6)], quantities.signals)
         if quantities.mechanism.stiffness and (following := left.following):
             return structure, [Finding("stiffness.separating", ("stiffness",), {"joints": Joined(following)})]
         if quantities.mechanism.stiffness and (open_joints := [*left.joints, *system.topology.closing_slides]):
@@ -453,7 +453,7 @@ def _drawn(system: Constraints, z: Array) -> dict[str, tuple[float, float, float
 # What is said of it.
 
 
-def _spared(found: Agreement, left: Undetermined) -> Finding:
+def _spared(found: Agreement, left: UndeterminedReactions) -> Finding:
     """The warning that names what is redundant, and which reactions that leaves undetermined."""
     system, topology = found.spare.system, found.structure.topology
     rank = len(system.names) - found.spare.states
@@ -465,7 +465,7 @@ def _spared(found: Agreement, left: Undetermined) -> Finding:
     return Finding("structure.redundant-joints", ("joints", names[0]), data, severity="warning")
 
 
-def _reactions(mechanism: Mechanism, left: Undetermined) -> Term:
+def _reactions(mechanism: Mechanism, left: UndeterminedReactions) -> Term:
     """The sentence on what is known of the reactions."""
     if left.components:
         joints, sums = Joined(left.joints), Joined(left.sums(), CLAUSES)

@@ -1,7 +1,7 @@
 """The equilibrium of links whose joints share a load by their stiffness, as numbers at one pose.
 
-Of all reactions in equilibrium those are taken that strain what yields least (:mod:`.sharing`): with the strains E,
-each by the root of its compliance, over the actions, a particular solution r and the states of self-stress S, the
+Of all reactions in equilibrium those are taken that strain what yields least (:mod:`.load_sharing`): with the strains
+E, each by the root of its compliance, over the actions, a particular solution r and the states of self-stress S, the
 least squares of E (r + S y). States that strain nothing stay open.
 """
 
@@ -12,7 +12,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.graph.sharing import elastic
+from linkwright.graph.load_sharing import elastic
 from linkwright.graph.statics import Statics
 from linkwright.model.signals import Signals
 from linkwright.notation import Body, Pair, Wrench

@@ -5,7 +5,7 @@ import type { LiveNumber } from "../live/live_data.ts";
 import type { LiveModel } from "../live/live_model.ts";
 import { nice, sixDigits } from "../scene/numbers.ts";
 import { filled, type Say } from "../drawing/words.ts";
-import { entered } from "./entered.ts";
+import { entered } from "./number_entry.ts";
 
 /** In how many steps a slider goes at least from end to end. */
 const STEPS = 400;

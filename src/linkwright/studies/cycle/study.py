@@ -23,7 +23,7 @@ from linkwright.studies.friction_checks import FrictionLaws, self_locking, start
 from linkwright.studies.load_checks import contacts, outside, undefined
 from linkwright.studies.output_dead_centres import powerless
 from linkwright.studies.plausible import coincident, crossed
-from linkwright.studies.redundant import with_redundant_joints
+from linkwright.studies.redundant_mechanisms import with_redundant_joints
 from linkwright.studies.registry import Study, register
 from linkwright.studies.run_context import NOWHERE, RunContext
 

@@ -2,7 +2,7 @@
 
 PROBLEMS: dict[str, tuple[str, str]] = {
     "name.unused-parameter": (
-        "Nothing uses the parameter {name}: its value changes nothing.",
+        "The parameter {name} isn't used: its value has no effect.",
         "{mend}",
     ),
     "name.unknown": (

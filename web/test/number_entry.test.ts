@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { entered } from "../src/panels/entered.ts";
+import { entered } from "../src/panels/number_entry.ts";
 
 const mm = (text: string): number | null => entered(text, "mm", 1e-3);
 

@@ -28,7 +28,7 @@ MOST, LISTED = 40, 6
 """The most components among which sums are looked for; the most sums that are listed."""
 
 
-class Undetermined:
+class UndeterminedReactions:
     """What the states of self-stress of a ``system`` touch, at some poses of it."""
 
     def __init__(self, system: Constraints, poses: Sequence[tuple[float, Array]], signals: Signals) -> None:
