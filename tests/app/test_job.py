@@ -214,7 +214,8 @@ def test_notes_come_last_and_change_no_exit_code(tmp_path: Path) -> None:
     assert job.exit_code == 0
     assert [f["severity"] for f in job.summary["findings"]] == ["warning", "note"]
     page = (tmp_path / "out" / "report.html").read_text("utf-8").replace("\u00a0", " ")
-    banner, notes = (page.split(f'<section id="{name}"')[1].split("</section>")[0] for name in ("failures", "notes"))
+    assert '<section id="errors"' not in page and "Errors" not in page.split("<main>")[0]
+    banner, notes = (page.split(f'<section id="{name}"')[1].split("</section>")[0] for name in ("warnings", "notes"))
     assert "gravity.size" in banner and "plausible.speed" not in banner
     assert "plausible.speed" in notes
     assert "240 deg/s" not in page and "motor: crank on frame, 1 deg/s = 0.166667 rpm, 360 s per revolution" in page

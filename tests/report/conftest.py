@@ -201,6 +201,6 @@ def report(feeder: Feeder) -> ReportData:
             {"name": "Mobility", "sentence": "1 (Gruebler 1, rank 1)"},
             {"name": "Groups", "sentence": "crank; RRR dyad B-C-D; RPP dyad E-G"},
         ],
-        "failures": [],
+        "problems": [],
         "model_text": "linkwright: 1\nname: Packaging paper feeder\nparameters: {AB: 155, BC: 395}\n",
     }

@@ -54,8 +54,8 @@ def test_a_file_that_cannot_be_assembled_is_mended_on_its_page(browser: Any, tmp
     rested(view)
     assert state(view) == f"{finding.what}\n{finding.mend}"
     assert view.page.evaluate("linkwright.live.sound")
-    problems = view.page.locator("#problems")
-    assert problems.inner_text() == "✗ Problems: 1"
+    problems = view.page.locator("#count-errors")
+    assert problems.inner_text() == "✗ Errors: 1"
     back = view.page.get_by_role("button", name="Back to the last")
     assert back.is_hidden()  # there are none
     row = view.page.locator("#measures tbody tr", has_text="stroke")

@@ -511,3 +511,22 @@ def test_hanzi_are_not_slanted(show: Any, report: ReportData) -> None:
     )
     assert dict(styles)["曲柄"] == "normal"
     assert {style for name, style in styles if name.isascii()} == {"italic"}
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("width", [390, 1400])
+@pytest.mark.parametrize("severity", ["error", "warning", "note"])
+def test_only_errors_are_red(show: Any, report: ReportData, severity: str, width: int, scheme: str) -> None:
+    """No text, border or ground of a banner and its badge is red but of errors, on a phone and in the dark too."""
+    what = "The mechanism is redundant: constraints of guide follow from those of the other joints. " * 3
+    report["problems"] = [{"code": "some.code", "severity": severity, "what": what, "mend": "No change is needed."}]
+    report["sections"] = []
+    view = show(report, color_scheme=scheme, viewport={"width": width, "height": 800})
+    colours = view.page.locator(f"#{severity}s, #{severity}s *, #state, #state *").evaluate_all(
+        """shown => shown.flatMap(e => { const s = getComputedStyle(e);
+        return [s.color, s.backgroundColor, s.borderTopColor, s.borderLeftColor]; })"""
+    )
+    parts = [[float(part) for part in colour[colour.index("(") + 1 : -1].split(",")] for colour in set(colours)]
+    red = [part for part in parts if len(part) == 3 and part[0] > 1.75 * max(part[1], part[2])]  # amber: 1.66
+    assert bool(red) == (severity == "error")
+    assert view.page.evaluate("document.documentElement.scrollWidth") <= width

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import re
 from collections.abc import Callable
@@ -15,6 +16,7 @@ import pytest
 from linkwright.presentation.blocks import Checks, Measures, Section, Sentences
 from linkwright.presentation.payload import script_json
 from linkwright.report import ReportData, compact, page
+from linkwright.report.data import Severity
 from linkwright.report.page import SCRIPT_WORDS
 from linkwright.words import catalogue
 from linkwright.words.en.report import TEXTS
@@ -146,13 +148,32 @@ def test_results_come_before_what_verifies_them(report: ReportData) -> None:
     assert '<a href="#certificate"><span class="mark bad">' in html.split("<nav aria")[0]
 
 
-def test_failures_make_a_banner(report: ReportData) -> None:
-    assert 'class="banner"' not in page(report)
-    report["failures"] = [{"code": "LW301", "what": "rocker is too short", "mend": "make it longer"}]
+SEVERITIES: tuple[Severity, ...] = ("error", "warning", "note")
+BADGES = {"error": "Errors: ", "warning": "Warnings: ", "note": "Notes: "}
+
+
+@pytest.mark.parametrize("counts", list(itertools.product((0, 1, 2), repeat=3)))
+def test_only_errors_are_failures(report: ReportData, counts: tuple[int, int, int]) -> None:
+    """Each severity has its banner and its line in the header, in words of its own, errors first; the sign and the
+    class of what failed are those of errors alone."""
+    found = [(severity, i) for severity, count in zip(SEVERITIES, counts, strict=True) for i in range(count)]
+    report["problems"] = [
+        {"code": f"{severity}-{i}", "severity": severity, "what": "rocker is too short", "mend": "make it longer"}
+        for severity, i in reversed(found)
+    ]
+    report["sections"] = []
     html = page(report)
-    assert html.index('class="banner"') < html.index("<main>")
-    assert "LW301" in html
-    assert "Problems: 1" in html
+    Page(html)
+    header, banners = html.split("<header>")[1].split("</header>")[0], html.split("</header>")[1].split("<main>")[0]
+    assert [banner.split('"')[0] for banner in banners.split('<section id="')[1:]] == [
+        f"{severity}s" for severity, count in zip(SEVERITIES, counts, strict=True) if count
+    ]
+    for severity, count in zip(SEVERITIES, counts, strict=True):
+        assert (f"{BADGES[severity]}{count}<" in header) == bool(count)
+        assert (f'href="#{severity}s"' in header) == bool(count)
+        part = banners.split(f'<section id="{severity}s"')[-1].split("</section>")[0] if count else ""
+        assert part.count("<code>") == part.count(f"<code>{severity}-") == count
+    assert ("mark bad" in header) == ("✗" in header) == ("banner errors" in banners) == bool(counts[0])
 
 
 def test_empty_parts_leave_no_headings(report: ReportData) -> None:
@@ -171,7 +192,7 @@ def test_every_word_comes_from_the_catalogue(report: ReportData, said: Callable[
     report.update(
         title="1", subtitle="2", source="6", version="3", model_text="4", title_block=[], plots=[], structure=[]
     )
-    report.update(sections=[], notes=[], failures=[])
+    report.update(sections=[], problems=[])
     said("#")
     body = page(report).split("<body>")[1].split("<script")[0]
     body = re.sub("<text[^>]*>.*?</text>", "", body)  # names of points and links

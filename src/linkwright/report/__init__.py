@@ -3,11 +3,11 @@
 from linkwright.presentation.payload import compact
 from linkwright.report.data import (
     Fact,
-    Failure,
     JointData,
     LinkData,
     Plot,
     Pose,
+    Problem,
     ReportData,
     Scene,
     Series,
@@ -18,11 +18,11 @@ from linkwright.report.page import page
 
 __all__ = [
     "Fact",
-    "Failure",
     "JointData",
     "LinkData",
     "Plot",
     "Pose",
+    "Problem",
     "ReportData",
     "Scene",
     "Series",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Literal
+from typing import Literal, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,15 +24,16 @@ from linkwright.report.arrows import arrow_data, arrows, force_name
 from linkwright.report.centrodes import centrodes
 from linkwright.report.data import (
     Fact,
-    Failure,
     JointData,
     LinkData,
     LiveData,
     Plot,
     Pose,
+    Problem,
     ReportData,
     Scene,
     Series,
+    Severity,
     SpringData,
     Time,
     Trace,
@@ -100,8 +101,7 @@ def report_data(
         "live": live,
         "sections": [*_untaken(result, live), *(section for one in shown for section in one.sections)],
         "structure": facts(result.run.compiled),
-        "failures": [_failure(finding) for finding in findings if finding.severity != "note"],
-        "notes": [_failure(finding) for finding in findings if finding.severity == "note"],
+        "problems": [_problem(finding) for finding in findings],
         "model_text": source.text or "",
     }
     if areas := [area for one in shown for area in one.areas]:
@@ -139,8 +139,9 @@ def axis(result: Result) -> Time:
     return {"values": (result.t / size).tolist(), "unit": unit, "label": Said("plot.time")}
 
 
-def _failure(finding: Finding) -> Failure:
-    return {"code": finding.code, "what": finding.said("what"), "mend": finding.said("mend")}
+def _problem(finding: Finding) -> Problem:
+    severity = cast("Severity", finding.severity)
+    return {"code": finding.code, "severity": severity, "what": finding.said("what"), "mend": finding.said("mend")}
 
 
 def scene(result: Result) -> Scene:

@@ -165,10 +165,14 @@ class Fact(TypedDict):
     sentence: Text
 
 
-class Failure(TypedDict):
-    """A coded finding: what is wrong and what mends it."""
+Severity = Literal["error", "warning", "note"]
+
+
+class Problem(TypedDict):
+    """A coded finding: how much it matters, what is wrong and what mends it."""
 
     code: str
+    severity: Severity
     what: Text
     mend: Text
 
@@ -310,6 +314,5 @@ class ReportData(TypedDict):
     sections: Sequence[Section]
     structure: Sequence[Fact]
     live: NotRequired[LiveData | None]
-    failures: Sequence[Failure]
-    notes: NotRequired[Sequence[Failure]]
+    problems: Sequence[Problem]
     model_text: str

@@ -180,8 +180,21 @@ def table(kind: str, heads: Iterable[str], rows: Iterable[Sequence[str]], numeri
 
 def mark(ok: bool, text: str) -> str:
     """A verdict that reads without colour: a sign and a word."""
-    sign, kind = ("✓", "ok") if ok else ("✗", "bad")
-    return f'<span class="mark {kind}"><span aria-hidden="true">{sign}</span> {markup(text)}</span>'
+    return signed("ok" if ok else "bad", text)
+
+
+SIGNS = {"ok": "✓", "bad": "✗", "warning": "⚠\ufe0e", "quiet": "·"}
+"""The sign of each kind of mark: passed, failed, to be looked at, to be known."""
+
+
+def signed(kind: str, text: str) -> str:
+    """A text with the sign of its kind, which stands for the colour."""
+    return f'<span class="mark {kind}">{sign_of(kind)} {markup(text)}</span>'
+
+
+def sign_of(kind: str) -> str:
+    """The sign of a kind of mark, which is read by the eye alone."""
+    return f'<span aria-hidden="true">{SIGNS[kind]}</span>'
 
 
 def _number(value: float | None) -> str:

@@ -146,8 +146,7 @@ def _body(data: ReportData, still: str) -> str:
     return "\n".join(
         [
             sections.header(data),
-            sections.failures(data),
-            sections.notes(data),
+            sections.problems(data),
             "<main>",
             sections.stage(still),
             '<div class="results">',

@@ -7,12 +7,16 @@ from collections.abc import Sequence
 from linkwright.escape import markup
 from linkwright.findings import Text
 from linkwright.presentation.blocks import Check, Checks, Measure, Measures, Section
-from linkwright.report.data import Failure, Plot, ReportData
-from linkwright.report.html_blocks import mark, of_file
+from linkwright.report.data import Plot, Problem, ReportData, Severity
+from linkwright.report.html_blocks import mark, of_file, sign_of, signed
 from linkwright.report.prose import prose
 from linkwright.words import say
 
 GROUPS = ("motion", "force")
+SEVERITIES: dict[str, Severity] = {"errors": "error", "warnings": "warning", "notes": "note"}
+"""The parts of a page with problems, in their order, and the severity of each one's problems."""
+KINDS_OF_MARK = {"errors": "bad", "warnings": "warning", "notes": "quiet"}
+"""How what counts them is marked: only an error is a failure."""
 
 
 def header(data: ReportData) -> str:
@@ -20,9 +24,9 @@ def header(data: ReportData) -> str:
     required = [m.verdict for m in measures(data) if m.verdict is not None]
     checks = [check.ok for check in checks_of(data)]
     badges = []
-    if data["failures"]:
-        text = say("report.summary_failures", count=len(data["failures"]))
-        badges.append(f'<a id="problems" href="#failures">{mark(False, text)}</a>')
+    for part, found in _by_severity(data).items():
+        text = say(f"report.summary_{part}", count=len(found))
+        badges.append(f'<a id="count-{part}" href="#{part}">{signed(KINDS_OF_MARK[part], text)}</a>')
     if required:
         text = say("report.summary_requirements", met=sum(required), total=len(required))
         badges.append(f'<span id="requirements">{mark(all(required), text)}</span>')
@@ -83,20 +87,18 @@ def _contents(data: ReportData) -> str:
     return f'<nav aria-label="{markup(say("report.contents"))}">{"".join(links)}</nav>'
 
 
-def failures(data: ReportData) -> str:
-    """A banner with what went wrong and what mends it; nothing where all is well."""
-    sign = '<span aria-hidden="true">⚠\ufe0e</span> '
-    return _findings(data, "failures", data["failures"], "banner", sign)
+def problems(data: ReportData) -> str:
+    """A banner for each severity, with what is wrong and what mends it; nothing where all is well."""
+    return "\n".join(_banner(part, found) for part, found in _by_severity(data).items())
 
 
-def notes(data: ReportData) -> str:
-    """The same of notes: nothing is wrong, but it may not be meant."""
-    return _findings(data, "notes", data.get("notes", ()), "banner notes", "")
+def _by_severity(data: ReportData) -> dict[str, list[Problem]]:
+    """The problems of each part, errors first; parts without any are left out."""
+    found = {part: [p for p in data["problems"] if p["severity"] == of] for part, of in SEVERITIES.items()}
+    return {part: problems for part, problems in found.items() if problems}
 
 
-def _findings(data: ReportData, name: str, found: Sequence[Failure], kind: str, sign: str) -> str:
-    if not found:
-        return ""
+def _banner(part: str, found: Sequence[Problem]) -> str:
     rows = "".join(
         f"<li><p><code>{markup(f['code'])}</code> {_lines(f['what'])}</p>"
         + (f"<p><b>{markup(say('report.mend'))}</b> {_lines(f['mend'])}</p>" if f["mend"] else "")
@@ -104,8 +106,8 @@ def _findings(data: ReportData, name: str, found: Sequence[Failure], kind: str, 
         for f in found
     )
     return (
-        f'<section id="{name}" class="{kind}" aria-labelledby="{name}-title">'
-        f'<h2 id="{name}-title">{sign}{markup(say(f"report.{name}"))}</h2>{of_file()}'
+        f'<section id="{part}" class="banner {part}" aria-labelledby="{part}-title">'
+        f'<h2 id="{part}-title">{sign_of(KINDS_OF_MARK[part])} {markup(say(f"report.{part}"))}</h2>{of_file()}'
         f"<ul>{rows}</ul></section>"
     )
 

@@ -23,7 +23,7 @@ export function liveState(
   words: StateWords,
 ): LiveState {
   const badge = html("span", { class: "mark changed", role: "status", hidden: "" }, badges);
-  const problems = badges.querySelector<HTMLElement>("#problems");
+  const errors = badges.querySelector<HTMLElement>("#count-errors");
   const line = html("p", { class: "live-line", role: "status" }, bar);
   const tools = html("p", { class: "live-tools screen" }, bar);
   const tool = (key: string, act: () => void): HTMLButtonElement => {
@@ -57,7 +57,7 @@ export function liveState(
     document.documentElement.classList.toggle("live-changed", changed);
     badge.hidden = !changed;
     // What kept the file's links from closing is mended.
-    if (problems) problems.hidden = Boolean(live.original.failure) && !motion.failure;
+    if (errors) errors.hidden = Boolean(live.original.failure) && !motion.failure;
     write(badge, `◐ ${say("live.changed")}`);
     for (const button of [reset, copied]) button.hidden = !changed;
     const quiet = !changed && live.sound && !motion.failure;
