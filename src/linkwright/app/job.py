@@ -27,6 +27,7 @@ from linkwright.model.references import option_faults
 from linkwright.model.walk import Options, option_places
 from linkwright.model.yaml_text import Source
 from linkwright.presentation.blocks import FileOf
+from linkwright.presentation.json_numbers import finite
 from linkwright.report.build import report_data
 from linkwright.report.page import page
 from linkwright.report.summary import drawn, found, summary
@@ -337,8 +338,8 @@ def _unwritten(study: str, files: Mapping[str, tuple[str, str]]) -> Iterator[Fin
 
 
 def summary_text(data: dict[str, Any]) -> str:
-    """The summary as JSON text."""
-    return json_text(json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False))
+    """The summary as JSON text: what isn't a finite number is ``null`` there, whichever study says it."""
+    return json_text(json.dumps(finite(data), indent=2, ensure_ascii=False, allow_nan=False))
 
 
 def check(model: str | Path | Document, folder: str | Path | None = None) -> list[Finding]:

@@ -7,6 +7,7 @@ import errno
 import io
 import os
 import sys
+import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -25,7 +26,9 @@ FULL = (errno.ENOSPC, errno.EFBIG, errno.EIO)
 
 def prepare() -> None:
     """Put an empty stream in place of each that is closed, else the next file would get its number; a terminal that
-    lacks a letter shows another."""
+    lacks a letter shows another. Warnings of NumPy tell a user nothing: what isn't a number is told by findings."""
+    if not sys.warnoptions:
+        warnings.filterwarnings("ignore", category=RuntimeWarning)
     for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
         stream = getattr(sys, name)
         if stream is None:

@@ -164,8 +164,9 @@ class Belt(WheelsKind):
             return (carried + tangential if attribute == "left" else carried - tangential) / 2.0
         lean = call("arcsin", (inner.pitch.radii[0] + inner.pitch.radii[1]) / inner.pitch.distance)
         wrap = np.pi + 2.0 * lean if entry.crossed else np.pi - 2.0 * call("abs", lean)
-        ratio = call("exp", geometry.number(entry.friction, u.PURE) * wrap)
-        return carried * (ratio - 1.0) / (ratio + 1.0) - call("abs", tangential)
+        # (exp(mu phi) - 1)/(exp(mu phi) + 1), which is at most 1 however large the coefficient is.
+        ratio = call("exp", -(geometry.number(entry.friction, u.PURE) * wrap))
+        return carried * (1.0 - ratio) / (1.0 + ratio) - call("abs", tangential)
 
     def outline(self, geometry: JointGeometry, joint: str, low: Scalar, high: Scalar) -> list[Curve]:
         """Both wheels; on the carrier both strands, as lines that touch them."""

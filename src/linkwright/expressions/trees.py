@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from linkwright.data_classes import dataclass
 from linkwright.expressions.units import is_unit
@@ -71,14 +71,19 @@ def nodes(node: Node) -> Iterator[Node]:
 
 def replaced(node: Node, name: str, by: Node) -> Node:
     """The tree with another one in place of a name."""
-    if isinstance(node, Name):
-        return by if node.text == name else node
+    return with_parts(node, lambda part: by if part == Name(name) else None)
+
+
+def with_parts(node: Node, part: Callable[[Node], Node | None]) -> Node:
+    """The tree with others in place of those of its nodes for which ``part`` gives one."""
+    if (other := part(node)) is not None:
+        return other
     if isinstance(node, Call):
-        return node if node.attribute else Call(node.name, tuple(replaced(arg, name, by) for arg in node.args))
+        return node if node.attribute else Call(node.name, tuple(with_parts(arg, part) for arg in node.args))
     if isinstance(node, Negative):
-        return Negative(replaced(node.of, name, by))
+        return Negative(with_parts(node.of, part))
     if isinstance(node, Binary):
-        return Binary(node.op, replaced(node.left, name, by), replaced(node.right, name, by))
+        return Binary(node.op, with_parts(node.left, part), with_parts(node.right, part))
     return node
 
 

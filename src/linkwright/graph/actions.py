@@ -8,6 +8,7 @@ the time and the whole turns of an angle that the graph knows from its axis alon
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -16,8 +17,18 @@ import casadi as ca
 from linkwright.data_classes import dataclass
 from linkwright.elements.follower import Follower
 from linkwright.elements.force import Acting, Break
-from linkwright.expressions.language import FUNCTIONS, Call, Name, Node, nodes, signal_text, signals_in
-from linkwright.expressions.trees import children
+from linkwright.expressions.language import (
+    FUNCTIONS,
+    Call,
+    Name,
+    Node,
+    Number,
+    is_signal,
+    nodes,
+    signal_text,
+    signals_in,
+)
+from linkwright.expressions.trees import children, with_parts
 from linkwright.model.signals import Signal
 from linkwright.notation import Scalar, Wrench
 
@@ -28,12 +39,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Lookup:
-    """A table, or its integral, at an argument (bound to SI); ``level`` tables stand within one another there."""
+    """A table, or its integral, at an argument (bound to SI); ``level`` tables stand within one another there.
+    ``at_rest`` are those that only starts from standstill ask."""
 
     table: str
     argument: Node
     integral: bool = False
     level: int = 0
+    at_rest: bool = False
 
 
 class Actions:
@@ -74,12 +87,12 @@ class Actions:
         """All tables that are asked, each after those within its argument."""
         found: dict[Lookup, None] = {}
 
-        def note(node: Node) -> int:
+        def note(node: Node, at_rest: bool = False) -> int:
             """Note all tables in a tree; how deep they stand within one another."""
-            levels = [note(child) for child in children(node)]
+            levels = [note(child, at_rest) for child in children(node)]
             level = max(levels, default=0)
             if isinstance(node, Call) and is_table(node):
-                found[Lookup(node.name, node.args[0], level=level)] = None
+                found[Lookup(node.name, node.args[0], level=level, at_rest=at_rest)] = None
                 level += 1
             return level
 
@@ -88,7 +101,23 @@ class Actions:
         for one in self.every:
             for asked in one.kind.needed_tables(one.name, one.entry):
                 found[Lookup(*asked, level=note(asked.argument))] = None
+        if self.graph.quantities.signals.static:
+            for lookup in [*found]:
+                standing = self.at_rest(lookup.argument)
+                if standing != lookup.argument:
+                    found[replace(lookup, argument=standing, level=note(standing, at_rest=True), at_rest=True)] = None
         return tuple(found)
+
+    def at_rest(self, tree: Node) -> Node:
+        """An expression where nothing moves: rates of the motion are 0."""
+
+        def stopped(part: Node) -> Node | None:
+            if not (isinstance(part, Name | Call) and is_signal(part)):
+                return None
+            signal = self.graph.signal(signal_text(part))
+            return Number(0.0) if signal.kinematic and signal.dimension.time < 0 else None
+
+        return with_parts(tree, stopped)
 
     def needed_tables(self, one: Acting) -> set[str]:
         """The tables that an element asks."""

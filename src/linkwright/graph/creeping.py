@@ -10,7 +10,7 @@ from linkwright.notation import Scalar
 if TYPE_CHECKING:
     from linkwright.graph.graph import Graph
 
-CREEP = 1e-150
+CREEP = 1e-170
 """The speed of the drive (rad/s or m/s): its square is zero in floating-point arithmetic, its sign isn't."""
 
 

@@ -36,7 +36,9 @@ from forces that pass through zero."""
 SOLVED = 1e-9
 """Efforts whose laws miss by more than this share of their sum aren't a solution: they are NaN."""
 TINY = 1e-300
-"""Added to the square of a force (N2), so that one that is zero has slopes."""
+"""Added to the square of a force (N2), so that one that is zero has slopes ..."""
+LEAST = math.sqrt(TINY)
+"""... and the length of such a force (N), which is no force."""
 
 
 class Resisting(NamedTuple):
@@ -132,7 +134,7 @@ class FrictionSystem:
                     for a, part in enumerate(load)
                 ]
                 length = call("sqrt", sum((part * part for part in force), TINY))
-                size = size + length
+                size = size + (length - LEAST)  # none presses where there is no force: LEAST is a root taken exactly
                 for j, unit in enumerate(per):
                     along = sum((part * slope for part, slope in zip(force, unit, strict=True)), 0.0)
                     grown[j] = grown[j] + along / length

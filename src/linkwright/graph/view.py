@@ -195,8 +195,9 @@ class View:
 
     def lookup(self, table: str, argument: Node, integral: bool = False) -> Scalar:
         """A table's answer, an input of the pose."""
-        known = ((k.table, k.argument, k.integral) for k in self.graph.actions.lookups)
-        return self.given[f"table/{list(known).index((table, argument, integral))}/0"]
+        known = [(k.table, k.argument, k.integral) for k in self.graph.actions.lookups]
+        asked = self.graph.actions.at_rest(argument) if self.starting else argument
+        return self.given[f"table/{known.index((table, asked, integral))}/0"]
 
     def link(self, signal: Signal) -> Scalar:
         body = self.motion.bodies[signal.owners[0]]

@@ -53,9 +53,11 @@ def mean_squares(probes: Sequence[Probe], squared: Sequence[bool], sizes: Sequen
     ``sizes`` are what is usual of the dimension of each before it is squared (SI): none is finer than their round-off.
     """
     powers = [1 if one else 2 for one in squared]
-    together = np.array([i for i, probe in enumerate(probes) if not probe.limits], dtype=int)
+    zero = [probe.search.is_zero(probe.node) for probe in probes]
+    together = np.array([i for i, probe in enumerate(probes) if not (zero[i] or probe.limits)], dtype=int)
     found, settled = _integrals([probes[i] for i in together], [powers[i] for i in together], np.array(sizes)[together])
     known = dict(zip(together[settled].tolist(), (found[settled] / probes[0].length()).tolist(), strict=True))
+    known |= {i: 0.0 for i, one in enumerate(zero) if one}
     return [known[i] if i in known else probe.mean(powers[i]).value for i, probe in enumerate(probes)]
 
 

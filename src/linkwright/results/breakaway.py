@@ -78,10 +78,14 @@ def creeping(compiled: Compiled, drive: str, sense: int) -> Compiled:
     other._kernels, other._nodes, other._kept = {}, {}, {}
     other.__post_init__()
 
+    parameters = dict(zip(other.graph.parameters, other.parameters, strict=True))
+
     def crept(x: Array) -> Array:
         x = x.copy()
         for row, value in creeping_rates(other.graph, drive, sense, lambda i: x[i]).items():
             x[row] = value
+        # Tables whose arguments follow the motion answer for these rates.
+        other.supply.look_up(x, lambda kernel: kernel.run(x, other.parameters), parameters)
         return x
 
     other.adjusted = crept

@@ -73,6 +73,11 @@ class Certificate:
         every = {name: getattr(self, name) for name in (*RESIDUALS, "measures")}
         return {name: value for name, value in every.items() if value is not None}
 
+    @property
+    def unknown(self) -> tuple[str, ...]:
+        """The residuals that aren't numbers, because something reported isn't one: these checks fail."""
+        return tuple(name for name, value in self.residuals.items() if not np.isfinite(value))
+
     def claims(self, tolerance: float = PROVEN) -> list[Claim]:
         """All checks, and whether each holds; residuals are to be below ``tolerance``."""
         return claims(self, tolerance)

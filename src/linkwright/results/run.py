@@ -9,6 +9,7 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions import units as u
 from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, signals_in
 from linkwright.expressions.units import Dimension
 from linkwright.graph.rows import Named, effort
@@ -25,6 +26,7 @@ NARROWEST = 1e-13
 """Steps of an angle narrower than this share of the run aren't halved any more."""
 BLIND = 1e-6
 """The share of the run around a change point in which rates have lost their digits."""
+FORCE_SIZES = tuple(one.physical for one in (u.LENGTH, u.SPEED, u.OMEGA, u.FORCE, u.ENERGY))
 LOOK = 1 << 14
 """Points at which the drives' laws are looked at for short moves and rests."""
 
@@ -174,9 +176,15 @@ class Run:
         return self.compiled.graph.signal(name).dimension
 
     def usual(self, dimensions: Iterable[Dimension]) -> list[float]:
-        """Of each dimension the largest magnitude of the mechanism's signals of it, at a few times of the run (SI); 0
-        without one. What cancels in an expression is of this size."""
+        """Of each dimension the size (SI) of what cancels in an expression of it: the largest magnitude of the
+        mechanism's signals of it at a few times of the run, and of moments, powers and energies at least what its
+        forces make of it over its lengths and speeds."""
         asked = [dimension.physical for dimension in dimensions]
+        largest = self._largest_signals(asked)
+        return [max(size, self._made_by_forces(key)) for size, key in zip(largest, asked, strict=True)]
+
+    def _largest_signals(self, asked: Sequence[Dimension]) -> list[float]:
+        """Of each dimension the largest magnitude of the signals of it at a few times of the run; 0 without one."""
         if new := {*asked} - self._usual.keys():
             self._usual.update(dict.fromkeys(new, 0.0))
             signals = [s for s in self.compiled.quantities.signals.all() if s.dimension.physical in new]
@@ -186,6 +194,21 @@ class Run:
                 key = signal.dimension.physical
                 self._usual[key] = max(float(row[np.isfinite(row)].max(initial=0.0)), self._usual[key])
         return [self._usual[dimension] for dimension in asked]
+
+    def _made_by_forces(self, dimension: Dimension) -> float:
+        """The size (SI) that forces, inertia forces among them, make of a dimension with the lengths and the angular
+        velocities of the mechanism; 0 of one that isn't linear in forces. Where links balance, their inertia forces
+        cancel, so that no signal of a force tells of them: these are of the size of energies over lengths."""
+        if dimension.mass != 1:
+            return 0.0
+        length, speed, turning, force, energy = self._largest_signals(FORCE_SIZES)
+        if length == 0.0:
+            return 0.0
+        rate, force = max(turning, speed / length), max(force, energy / length)
+        exponent = -(float(dimension.time) + 2.0)  # of the rate: none for a moment, 1 for a power
+        if rate == 0.0 and exponent:
+            return 0.0
+        return float(force * length ** (float(dimension.length) - 1.0) * (rate**exponent if exponent else 1.0))
 
     def cancelling(self, node: Node) -> float:
         """The size (SI) of what cancels in a signal that is round-off, such as the angle of a level platform; 0 of

@@ -11,7 +11,7 @@ from linkwright.results.breakaway import resting_stretches, starting, unstarted
 from linkwright.results.jamming import followed, laws, meets, several
 from linkwright.results.self_locking import locked_stretches
 from linkwright.studies.assembly_checks import drive_value
-from linkwright.studies.load_checks import NEAR, finding_at, telling_times
+from linkwright.studies.load_checks import NEAR, finding_at, outside_at_rest, telling_times
 
 Array = NDArray[np.float64]
 
@@ -65,7 +65,9 @@ class FrictionLaws:
 def starts(run: Run) -> list[Finding]:
     """Where no effort of a drive starts the motion from rest, a warning; where the released mechanism stays at rest, a
     note."""
-    found = list[Finding]()
+    found = outside_at_rest(run) if starting(run.compiled) else []
+    if found:
+        return found
     for drive in starting(run.compiled):
         for sense, times in unstarted(run.compiled, drive, telling_times(run, [])).items():
             if times.size:

@@ -27,18 +27,52 @@ NEAR = 1e-9
 
 def undefined(run: Run) -> list[Finding]:
     """Loads, springs and the like that have no value somewhere, and those whose two ends meet."""
+    if meeting := _meeting(run):
+        return [finding_at(run, "spring.no-direction", one.path, t) for one, t in meeting]
+    unknown = _without_value(run)
+    return [
+        _outside_table(run, one, bad) or finding_at(run, "load.not-finite", one.path, float(bad[0]))
+        for one, bad in unknown
+    ]
+
+
+def outside_tables(run: Run) -> list[Finding]:
+    """What has no value somewhere because a table of it is asked beyond its ends: of efforts that follow from reactions
+    all are unknown there, whichever asks the table."""
+    found = (_outside_table(run, one, bad) for one, bad in _without_value(run))
+    return [finding for finding in found if finding is not None]
+
+
+def outside_at_rest(run: Run) -> list[Finding]:
+    """What resists, or loads, at standstill by a table that doesn't reach to speeds of 0: a warning for each."""
+    compiled, found = run.compiled, []
+    asked = [TableArgument(i) for i, lookup in enumerate(compiled.graph.actions.lookups) if lookup.at_rest]
+    if not asked:
+        return []
+    t = telling_times(run, [])
+    rows = compiled.evaluate(asked, t)
+    for one in compiled.graph.actions.every:
+        tables = compiled.graph.actions.needed_tables(one)
+        own = [
+            (index.index, row)
+            for index, row in zip(asked, rows, strict=True)
+            if compiled.graph.actions.lookups[index.index].table in tables
+        ]
+        found += [finding for index, row in own if (finding := _beyond_ends(run, one, index, row, t, "warning"))]
+    return found
+
+
+def _without_value(run: Run) -> list[tuple[Acting, Array]]:
+    """What acts and has no value at some times (s), and these."""
     actions = run.compiled.graph.actions
-    findings = [finding_at(run, "spring.no-direction", one.path, t) for one, t in _meeting(run)]
     acting = [one for one in actions.every if one.kind.acts]
-    if findings or not acting:
-        return findings
+    if not acting:
+        return []
     open_ = [i for i, k in enumerate(actions.lookups) if run.compiled.tables[k.table].period is None]
     t = telling_times(run, [TableArgument(i) for i in open_])
-    for one, values in zip(acting, run.compiled.evaluate([effort(one) for one in acting], t), strict=True):
-        bad = t[~np.isfinite(values)]
-        if bad.size:
-            findings.append(_explained(run, one, bad))
-    return findings
+    values = run.compiled.evaluate([effort(one) for one in acting], t)
+    unknown = ~np.isfinite(values)
+    return [(one, t[bad]) for one, bad in zip(acting, unknown, strict=True) if bad.any()]
 
 
 def outside(run: Run) -> list[Finding]:
@@ -132,26 +166,33 @@ def telling_times(run: Run, rows: Sequence[Named]) -> Array:
     return np.unique(np.concatenate([grid, run.t, run.jumps.ravel(), *turning]))
 
 
-def _explained(run: Run, one: Acting, bad: Array) -> Finding:
-    """Why something has no value at some times: a table asked for what it doesn't hold, or else."""
-    compiled, quantities = run.compiled, run.compiled.quantities
+def _outside_table(run: Run, one: Acting, bad: Array) -> Finding | None:
+    """A table that something asks for what it doesn't hold at some times (s)."""
+    compiled = run.compiled
     tables = compiled.graph.actions.needed_tables(one)
     for i, lookup in enumerate(compiled.graph.actions.lookups):
         table = compiled.tables[lookup.table]
-        if lookup.table not in tables or table.period is not None:
+        if lookup.table not in tables or table.period is not None or lookup.at_rest:
             continue
         asked = compiled.evaluate([TableArgument(i)], bad)[0]
-        over = np.maximum(table.x[0] - asked, asked - table.x[-1])
-        if np.max(over, initial=0.0) > 0:
-            worst = int(np.argmax(over))
-            at, time = float(asked[worst]), float(bad[worst])
-            unit, size = quantities.unit_of(quantities.dimensions.of(argument(lookup.table)))
-            shown = {
-                key: f"{value / size:.6g}"
-                for key, value in zip(("at", "low", "high"), (at, *table.x[[0, -1]]), strict=True)
-            }
-            return finding_at(run, "load.outside-table", one.path, time, table=lookup.table, of=unit, **shown)
-    return finding_at(run, "load.not-finite", one.path, float(bad[0]))
+        if finding := _beyond_ends(run, one, i, asked, bad):
+            return finding
+    return None
+
+
+def _beyond_ends(run: Run, one: Acting, index: int, asked: Array, t: Array, severity: str = "error") -> Finding | None:
+    """Where a table without a period is asked furthest beyond its ends, of its arguments at times t (s)."""
+    quantities, lookup = run.compiled.quantities, run.compiled.graph.actions.lookups[index]
+    table = run.compiled.tables[lookup.table]
+    over = np.maximum(table.x[0] - asked, asked - table.x[-1])
+    if table.period is not None or not np.max(over, initial=0.0) > 0:
+        return None
+    worst = int(np.argmax(over))
+    unit, size = quantities.unit_of(quantities.dimensions.of(argument(lookup.table)))
+    values = zip(("at", "low", "high"), (float(asked[worst]), *table.x[[0, -1]]), strict=True)
+    shown = {key: f"{value / size:.6g}" for key, value in values}
+    code = "load.table-at-rest" if lookup.at_rest else "load.outside-table"
+    return finding_at(run, code, one.path, float(t[worst]), severity, table=lookup.table, of=unit, **shown)
 
 
 def finding_at(

@@ -12,8 +12,10 @@ from linkwright.measures import BoundMeasure, MeasureResult, bound_measures
 from linkwright.model.quantities import Quantities
 from linkwright.presentation.blocks import Checks, Measure, Measures, MeasureValue, Section, StudyReport, Table, table
 from linkwright.presentation.cells import Cell, NumberCell, Unit
+from linkwright.presentation.json_numbers import known
 from linkwright.reductions import Grade
 from linkwright.results import Certificate, Result
+from linkwright.results.certificate import RESIDUALS
 from linkwright.studies.cycle.outcome import CycleOutcome
 from linkwright.studies.cycle.verification import checks, remarks
 
@@ -173,18 +175,16 @@ def certificate_entry(result: Result, second: float, time_unit: str) -> dict[str
     c: Certificate | None = result.certificate
     if c is None:
         return None
-    entry: dict[str, Any] = {
-        "closure": c.closure,
-        "equilibrium": c.equilibrium,
-        "power": c.power,
-        "work": c.work,
-        "measures": c.measures,
-    }
+    # A figure that isn't a number is null like one of which there is nothing to check; it has its name in the list.
+    residuals = {name: c.residuals.get(name) for name in (*RESIDUALS, "measures")}
+    entry: dict[str, Any] = {name: None if value is None else known(value) for name, value in residuals.items()}
+    if c.unknown:
+        entry["not_numbers"] = [*c.unknown]
     entry |= {"mobility": c.mobility, "gruebler": c.gruebler, "rank": c.rank, "loops": c.loops}
     if c.redundant:
         entry["redundant"] = c.redundant
     if c.nearest is not None:
-        entry["smallest_determinant"] = c.nearest.determinant
+        entry["smallest_determinant"] = known(c.nearest.determinant)
         entry["smallest_determinant_at"] = {
             "group": c.nearest.group,
             "time": c.nearest.time / second,
@@ -193,6 +193,6 @@ def certificate_entry(result: Result, second: float, time_unit: str) -> dict[str
     if c.changes:
         entry["branch_changes"] = {group: [time / second for time in times] for group, times in c.changes.items()}
     if c.followed:
-        entry["followed"] = {group: {"steps": n, "correction": worst} for group, (n, worst) in c.followed.items()}
+        entry["followed"] = {g: {"steps": n, "correction": known(worst)} for g, (n, worst) in c.followed.items()}
     branches = {group: str(rule) for group, rule in c.branches.items()}
     return entry | {"branches": branches, "poses": c.poses, "kernel": c.kernel, "kernel_reason": str(c.choice.reason)}

@@ -8,19 +8,27 @@ from typing import Any
 import numpy as np
 
 from linkwright.expressions import units as u
-from linkwright.findings import Finding, ModelError, Term
+from linkwright.findings import Finding, Joined, ModelError, Term
 from linkwright.kernels import Compiled
 from linkwright.measures import Measurer, enclose, misfit
 from linkwright.presentation.blocks import FileOf, StudyReport
 from linkwright.results import Result, Run, certify
-from linkwright.studies.assembly_checks import near, singular, singular_throughout, strokes, travels, unassembled
+from linkwright.studies.assembly_checks import (
+    drive_value,
+    near,
+    singular,
+    singular_throughout,
+    strokes,
+    travels,
+    unassembled,
+)
 from linkwright.studies.change_point_carry import carry_through_change_points, warnings
 from linkwright.studies.cycle.options import CycleOptions, span
 from linkwright.studies.cycle.outcome import CycleOutcome
 from linkwright.studies.cycle.report import report
 from linkwright.studies.follower_locking import locked
 from linkwright.studies.friction_checks import FrictionLaws, self_locking, starts
-from linkwright.studies.load_checks import contacts, outside, undefined
+from linkwright.studies.load_checks import contacts, outside, outside_tables, undefined
 from linkwright.studies.output_dead_centres import powerless
 from linkwright.studies.plausible import coincident, crossed
 from linkwright.studies.redundant_mechanisms import with_redundant_joints
@@ -76,6 +84,8 @@ class Cycle(Study):
             return CycleOutcome(Result(run, stops))
         if dead := powerless(run):
             return CycleOutcome(Result(run, dead))
+        if beyond := outside_tables(run):
+            return CycleOutcome(Result(run, beyond))
         friction = FrictionLaws(run)
         if stuck := friction.jammed():
             return CycleOutcome(Result(run, stuck))
@@ -100,6 +110,7 @@ class Cycle(Study):
         return report(outcome)
 
 
+PATH = ("studies", "cycle")
 CHECKS = {
     "closure": Term("closure"),
     "equilibrium": Term("equilibrium"),
@@ -118,17 +129,34 @@ CHECKS = {
 def unproven(result: Result) -> list[Finding]:
     """A finding for each check of the certificate that fails: figures that can't be trusted."""
     assert result.certificate is not None
-    found, residuals = [], result.certificate.residuals
+    found, residuals = unknown_values(result), result.certificate.residuals
     for claim in result.certificate.unproven().values():
         data: dict[str, Any] = {"check": CHECKS[claim.name], "figure": claim.figure}
+        if claim.name in result.certificate.unknown:
+            continue
         if claim.name in residuals:
-            known = residuals[claim.name] == residuals[claim.name]
-            data["figure"] = claim.figure if known else Term("unknown-share")
-            found.append(Finding("motion.unproven", ("studies", "cycle"), data))
+            found.append(Finding("motion.unproven", PATH, data))
         else:
             data["required"] = claim.required
-            found.append(Finding("motion.check-fails", ("studies", "cycle"), data))
+            found.append(Finding("motion.check-fails", PATH, data))
     return found
+
+
+def unknown_values(result: Result) -> list[Finding]:
+    """A finding for the checks that can't be made, because something reported isn't a finite number: the first signal
+    that isn't at a sample, and when."""
+    assert result.certificate is not None
+    if not result.certificate.unknown:
+        return []
+    checks = Joined(CHECKS[name] for name in result.certificate.unknown)
+    compiled, t = result.run.compiled, result.run.t[result.run.compiled.passages.bounded(result.run.t)]
+    known = np.isfinite(compiled.possible_rows(result.names, t))
+    if known.all():
+        return [Finding("motion.unknown-between", PATH, {"checks": checks})]
+    signal, sample = (int(i[0]) for i in np.nonzero(~known))
+    unit, second = compiled.quantities.unit_of(u.TIME)
+    data = {"signal": result.names[signal], "time": f"{t[sample] / second:.6g} {unit}", "checks": checks}
+    return [Finding("motion.unknown-value", PATH, data | drive_value(result.run, float(t[sample])))]
 
 
 def untracked_angles(run: Run) -> list[Finding]:

@@ -228,6 +228,11 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "{low} to {high} {of}.",
         "Extend the table, give it a period, or limit the load to a window.",
     ),
+    "load.table-at-rest": (
+        "At standstill the table {table} is evaluated at {at} {of}, outside its range {low} to {high} {of}: the efforts "
+        "that start the motion are unknown.",
+        "Extend the table to standstill.",
+    ),
     "load.not-finite": (
         "The load or spring has no finite value at t = {time} s ({drive} = {value} {unit}).",
         "Check for a division by zero or a root of a negative number; a gas spring may be compressed beyond its gas "

@@ -120,6 +120,17 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "Check for dimensions of very different size, a point far away, or a nearly singular position; the "
         "certificate in the report gives details. If there is none, please report the model as a bug of linkwright.",
     ),
+    "motion.unknown-value": (
+        "Verification failed: {signal} has no finite value at t = {time} ({drive} = {value} {unit}), so that these "
+        "can't be checked: {checks}.",
+        "Check the numbers from which it is computed for a wrong unit or power of ten; or keep the motion away from "
+        "this position.",
+    ),
+    "motion.unknown-between": (
+        "Verification failed: between the samples of the run a signal has no finite value, so that these can't be "
+        "checked: {checks}.",
+        "Take more samples, which shows where; check tables, coefficients and loads for values that are not defined.",
+    ),
     "motion.small-margin": (
         "At t = {time} s ({drive} = {value} {unit}) {group} is close to a singular position (margin {margin}; 1 is "
         "best, 0 singular): forces are large there, and small errors of lengths move the links far.",

@@ -197,7 +197,6 @@ TERMS: dict[str, str] = {
     "margin-to-singularity": "the margin to singularity",
     "kept-modes": "the number of assembly modes that are kept",
     "continuation-correction": "the largest correction of a predicted pose",
-    "unknown-share": "(unknown)",
     "shorter": "shorter",
     "longer": "longer",
     "a-drive": "a drive",

@@ -213,6 +213,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "在 t = {time} s（{drive} = {value} {unit}）时，在 {at} {of} 处取表 {table} 的值，超出其范围 {low} 至 {high} {of}。",
         "扩展该表，为其给出周期，或将载荷限制在一个时间窗内。",
     ),
+    "load.table-at-rest": (
+        "静止时在 {at} {of} 处取表 {table} 的值，超出其范围 {low} 至 {high} {of}：使机构从静止开始运动所需的力（矩）未知。",
+        "将该表扩展到静止状态。",
+    ),
     "load.not-finite": (
         "载荷或弹簧在 t = {time} s（{drive} = {value} {unit}）时不是有限值。",
         "检查是否有除以零或负数开方；气弹簧的压缩量可能超出其气柱长度。",

@@ -104,6 +104,14 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "验证未通过：{check}的相对误差为 {figure}（限值 1e-9）。",
         "检查是否存在数量级相差悬殊的尺寸、距离很远的点或接近奇异位形的位置；详情见报告中的“验证”部分。若均不存在，则为 linkwright 的缺陷，应连同模型一起报告。",
     ),
+    "motion.unknown-value": (
+        "验证未通过：在 t = {time}（{drive} = {value} {unit}）时，{signal} 不是有限值，因此无法检验：{checks}。",
+        "检查计算该量所用的数值是否有单位或数量级错误；或使运动远离该位置。",
+    ),
+    "motion.unknown-between": (
+        "验证未通过：在两个采样点之间有信号不是有限值，因此无法检验：{checks}。",
+        "增加采样点数以找出该处；检查表、系数和载荷是否有未定义的值。",
+    ),
     "motion.small-margin": (
         "在 t = {time} s（{drive} = {value} {unit}）时，杆组 {group} 接近奇异位形（裕度为 {margin}；1 为最佳，0 为奇异）："
         "此处的力很大，微小的长度误差会使构件产生很大的位移。",

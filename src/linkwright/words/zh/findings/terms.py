@@ -195,7 +195,6 @@ TERMS: dict[str, str] = {
     "margin-to-singularity": "奇异裕度",
     "kept-modes": "保持装配模式的杆组数",
     "continuation-correction": "预测位姿的最大修正量",
-    "unknown-share": "（未知）",
     "shorter": "短",
     "longer": "长",
     "a-drive": "驱动",
