@@ -1,4 +1,4 @@
-"""Parameters beside a sketch that nothing uses are told, with the length that may be meant; a name that anything in a
+"""Parameters that nothing uses are told, with the one that may be meant; a name that anything in a
 file mentions isn't one of them."""
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ import pytest
 
 import linkwright as lw
 from helpers.examples import four_bar
+from linkwright.model.document import save
 from linkwright.words import in_language
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -27,9 +28,12 @@ SKETCHED = {
 }
 
 
-def told(data: dict[str, Any]) -> dict[str, str]:
-    """What mends each unused parameter."""
-    findings = lw.check(lw.Document.model_validate(data))
+def told(data: dict[str, Any], file: Path | None = None) -> dict[str, str]:
+    """What mends each unused parameter, of a document or of a file with it."""
+    document = lw.Document.model_validate(data)
+    if file is not None:
+        save(document, file)
+    findings = lw.check(file or document)
     assert not [str(finding) for finding in findings if finding.severity == "error"]
     unused = [finding for finding in findings if finding.code == "name.unused-parameter"]
     assert {finding.severity for finding in unused} <= {"warning"}
@@ -71,6 +75,34 @@ def test_what_is_used_anywhere(more: dict[str, Any]) -> None:
     data = four_bar(**SKETCHED | {key: value for key, value in more.items() if key != "parameters"})
     data["parameters"] = {"DC": 60, **more.get("parameters", {}), "p": 1}
     assert told(data) == {}
+
+
+def test_a_file_without_a_sketch(tmp_path: Path) -> None:
+    """Its parameters are told as well, with a used one of nearly the same name; those of a document made in Python may
+    be there for its program."""
+    data = four_bar()
+    crank = {"points": {"A": [0, 0], "B": ["length_AB", 0]}}
+    parameters = {"length_AB": 2, "foo": 3, "lenght_AB": 3}
+    data = four_bar(links={**data["links"], "crank": crank}, parameters=parameters)
+    assert told(data) == {}
+    assert told(data, tmp_path / "model.yaml") == {
+        "foo": "Use it in an expression; or remove it.",
+        "lenght_AB": "Use it in an expression, or remove it. length_AB is used: check whether that is meant.",
+    }
+
+
+def test_a_sub_assembly_has_its_own(tmp_path: Path) -> None:
+    text = (EXAMPLES / "walker_legs.yaml").read_text(encoding="utf-8")
+    file = tmp_path / "walker.yaml"
+    file.write_text(text.replace("      b: 41.5\n", "      b: 41.5\n      heigth: 7\n", 1), encoding="utf-8")
+    (found,) = [f for f in lw.check(file) if f.code == "name.unused-parameter"]
+    assert found.element == "subassemblies.leg.parameters.heigth"
+    assert found.line == 1 + text[: text.index("      c: 39.3")].count("\n")
+
+
+def test_the_note_of_a_file_uses_nothing(tmp_path: Path) -> None:
+    data = four_bar(parameters={"foo": 3}, note="foo stands here alone")
+    assert [*told(data, tmp_path / "model.yaml")] == ["foo"]
 
 
 @pytest.mark.parametrize("file", sorted(EXAMPLES.glob("*.yaml")), ids=lambda path: path.stem)

@@ -6,6 +6,7 @@ drawn, its assembly modes. A number that the page can't follow so is locked.
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -29,7 +30,13 @@ FILES = {
     for path in sorted(folder.glob("*.yaml"))
     if "  cycle:" in path.read_text(encoding="utf-8")
 }
-USUAL = {"examples/four_bar", "examples/rack_and_pinion", "examples/rolling_wheel", "examples/geared_five_bar"}
+USUAL = {
+    "examples/four_bar",
+    "examples/sketched_six_bar",
+    "examples/rack_and_pinion",
+    "examples/rolling_wheel",
+    "examples/geared_five_bar",
+}
 """Those with a run of a stated number of turns, and with what is fixed where they are drawn: in every run."""
 SETS = 3
 CLOSE = 1e-8
@@ -45,12 +52,20 @@ def changed(live: Any, values: dict[str, float]) -> tuple[list[str], dict[str, f
     """The lines of the file with other numbers, as the page writes them, and these numbers as they are read (SI)."""
     lines, read = list(live["lines"]), dict[str, float]()
     for number in sorted(live["numbers"], key=lambda one: (one["line"], one["start"]), reverse=True):
-        if number["name"] in values:
+        if number["name"] in values and not number["drawn"]:
             digits = f"{values[number['name']] / number['size']:.12g}"
             line = lines[number["line"]]
             lines[number["line"]] = line[: number["start"]] + digits + line[number["end"] :]
             read[number["name"]] = float(digits) * number["size"]
     return lines, read
+
+
+def stated(live: Any, values: dict[str, float]) -> tuple[str, dict[str, float]]:
+    """The lengths of a sketch that are moved, as entries of the parameters, and as they are read (SI)."""
+    drawn = {one["name"]: one["size"] for one in live["numbers"] if one["drawn"] and one["name"] in values}
+    digits = {name: f"{values[name] / size:.12g}" for name, size in drawn.items()}
+    text = ", ".join(f"{name}: {one}{live['entry']['unit']}" for name, one in digits.items())
+    return text, {name: float(one) * drawn[name] for name, one in digits.items()}
 
 
 @pytest.mark.parametrize("name", mostly_long([*FILES], USUAL.__contains__))
@@ -71,8 +86,10 @@ def test_a_run_of_the_copied_lines(name: str, tmp_path: Path) -> None:
     sets, files = [], []
     for trial in trials:
         lines, read = changed(live, trial)
+        entries, of_sketch = stated(live, trial)
+        read |= of_sketch
         sets.append([read.get(name, value) for name, value in zip(program["free"], program["values"], strict=True)])
-        files.append(replaced(text, live["lines"], lines))
+        files.append(with_entries(replaced(text, live["lines"], lines), entries))
     times = np.array(live["times"])
     found = run_data(live["code"], program, times, np.array(sets))
     compared = 0
@@ -119,6 +136,19 @@ def move(one: Any, rng: Any) -> float:
     value, wide = one["value"], one["high"] - one["low"]
     moved = value + 0.03 * wide * rng.uniform(-1, 1)
     return float(min(max(moved, one["low"]), one["high"]))
+
+
+def with_entries(text: str, entries: str) -> str:
+    """A file with further parameters, by hand."""
+    if not entries:
+        return text
+    if "parameters:" not in text:
+        return f"{text}parameters: {{{entries}}}\n"
+    if block := re.search(r"\nparameters:[^\n{]*\n", text):
+        lines = "".join(f"  {entry}\n" for entry in entries.split(", "))
+        return f"{text[: block.end()]}{lines}{text[block.end() :]}"
+    assert text.count("\nparameters: {") == 1
+    return text.replace("\nparameters: {", f"\nparameters: {{{entries}, ")
 
 
 def replaced(text: str, old: list[str], new: list[str]) -> str:

@@ -113,7 +113,9 @@ def assemble(q: Quantities, found: Structure, stated: Laws) -> Assembly:
 def warnings(spelled: Spelled, q: Quantities, stated: Laws, assembly: Assembly) -> list[Finding]:
     """What is odd with a mechanism that can run."""
     moved = moved_starts(spelled, q, stated.drives)
-    odd = [*moved, *unused_parameters(spelled, q), *implausible(q), *([] if moved else assembly.notes)]
+    # Of a mechanism without a sketch, whose lengths all stand in it, files alone are told (app/job.py).
+    unused = unused_parameters(spelled.written, q) if spelled.written.sketch else ()
+    odd = [*moved, *unused, *implausible(q), *([] if moved else assembly.notes)]
     return [*spelled.warnings, *_moments(q), *spelled.with_file_paths(odd)]
 
 

@@ -8,7 +8,7 @@ nominal parameters, which are locked then.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import casadi as ca
@@ -30,7 +30,7 @@ from linkwright.kernels.parameter_batch import Varied
 from linkwright.kernels.tables import StatedTable, closing_margin
 from linkwright.laws import TableLaw
 from linkwright.model.conditions import Condition, Values, varying_conditions
-from linkwright.model.quantities import Quantities
+from linkwright.model.quantities import LARGEST, Quantities
 from linkwright.model.sampled import dependent, names_in
 from linkwright.model.walk import QuantityPlace
 from linkwright.notation.symbols import Symbol
@@ -39,17 +39,26 @@ Length = Callable[[Values], tuple[Any, Condition]]
 """The length of a run (s) by what gives the values of expressions, and the condition that it has one."""
 
 
-def derived_parameters(quantities: Quantities, tangents: bool = False) -> Program:
-    """The program of all parameters (SI): its inputs are those that depend on no other. With ``tangents`` that of their
-    derivatives along a direction, whose entries are further inputs."""
+UNSTATED = 1e300
+"""The value of an input that states a parameter, where it isn't stated: larger than any that a file may have."""
+
+
+def derived_parameters(quantities: Quantities, tangents: bool = False, drawn: Sequence[str] = ()) -> Program:
+    """The program of all parameters (SI): its inputs are those that depend on no other, then those that follow from
+    the sketch (``drawn``) and may be stated instead: they follow while their input is :data:`UNSTATED`. With
+    ``tangents`` that of their derivatives along a direction, whose entries are further inputs."""
     names, parts = tuple(quantities.parameters), quantities.mechanism.parameters
-    free = tuple(name for name in names if not names_in(parts[name].value.node) & {*names})
+    free = tuple(name for name in names if not names_in(parts[name].value.node) & {*names} and name not in drawn)
+    free = (*free, *drawn)
     x = ca.SX.sym("x", len(free))
-    known = dict(zip(free, ca.vertsplit(x) if free else (), strict=True))
+    given = dict(zip(free, ca.vertsplit(x) if free else (), strict=True))
+    known = {name: value for name, value in given.items() if name not in drawn}
     for name in quantities.order:
         if name not in known:
             node = quantities.bind(parts[name].value, quantities.dimensions.of(name))
             known[name] = ca.SX(evaluate(node, lambda other: known[other.text]))
+            if name in drawn:
+                known[name] = ca.if_else(ca.fabs(given[name]) < LARGEST, given[name], known[name])
     rows = [known[name] for name in names]
     if tangents:
         along = ca.SX.sym("direction", len(free))
@@ -89,19 +98,25 @@ def locked_parameters(compiled: Compiled, free: Iterable[str]) -> dict[str, Find
     return found
 
 
-def law_program(compiled: Compiled, locked: Iterable[str]) -> Program:
+def fixed_parameters(quantities: Quantities, free: Iterable[str], locked: Iterable[str]) -> frozenset[str]:
+    """The parameters that follow from ``locked`` ones alone, of those that are ``free`` otherwise."""
+    locked = frozenset(locked)
+    return dependent(quantities, locked) - dependent(quantities, frozenset(free) - locked)
+
+
+def law_program(compiled: Compiled, fixed: Container[str]) -> Program:
     """The drives' values and rates (SI) at a time (s), drive by drive."""
     t: Any = Symbol.named("t")
-    p, parameters = _parameters(compiled, locked)
+    p, parameters = _parameters(compiled, fixed)
     rows = [part for drive in compiled.graph.drives for part in compiled.laws[drive].at(t, parameters).d]
     return _program(compiled, t, p, rows, ("t",))
 
 
-def law_slopes_program(compiled: Compiled, locked: Iterable[str]) -> Program:
+def law_slopes_program(compiled: Compiled, fixed: Container[str]) -> Program:
     """The derivatives of all that :func:`law_program` gives along a direction of the parameters, which are further
     parameters: a drive that starts as drawn turns with the sketch."""
     t: Any = Symbol.named("t")
-    p, parameters = _parameters(compiled, locked)
+    p, parameters = _parameters(compiled, fixed)
     along = ca.SX.sym("direction", p.numel())
     rows = [part for drive in compiled.graph.drives for part in compiled.laws[drive].at(t, parameters).d]
     slopes = ca.vertsplit(ca.jtimes(ca.vertcat(*rows), p, along)) if p.numel() else [0.0 for _ in rows]
@@ -110,11 +125,11 @@ def law_slopes_program(compiled: Compiled, locked: Iterable[str]) -> Program:
     return Program((), stage, ("t",), names, tuple(map(str, range(len(rows)))))
 
 
-def ratio_program(compiled: Compiled, locked: Iterable[str]) -> Program:
+def ratio_program(compiled: Compiled, fixed: Container[str]) -> Program:
     """Of each follower the derivative of its value by its motor's, and the rate of that in time, from the motor's value
     (rad or m) and rate, follower by follower."""
     followers = compiled.supply.followers
-    p, parameters = _parameters(compiled, locked)
+    p, parameters = _parameters(compiled, fixed)
     x = ca.SX.sym("x", 2 * len(followers))
     rows = [part for i, law in enumerate(followers.values()) for part in law.ratio(x[2 * i], x[2 * i + 1], parameters)]
     return _program(compiled, x, p, rows, tuple(f"{name}:{k}" for name in followers for k in (0, 1)))
@@ -204,13 +219,10 @@ def table_pieces(table: StatedTable) -> dict[str, Any]:
     return {"knots": knots.tolist(), "powers": powers.tolist(), "ends": ends, "period": table.period}
 
 
-def _parameters(compiled: Compiled, locked: Iterable[str]) -> tuple[Any, Mapping[str, Any]]:
-    """The parameters as a column of symbols, and by name: those that follow from locked ones alone as numbers."""
+def _parameters(compiled: Compiled, fixed: Container[str]) -> tuple[Any, Mapping[str, Any]]:
+    """The parameters as a column of symbols, and by name: the fixed ones as numbers."""
     names, nominal = compiled.graph.parameters, compiled.quantities.parameters
-    symbols, locked = [Symbol.named(name) for name in names], frozenset(locked)
-    stated = compiled.mechanism.parameters
-    moved = {name for name in names if not names_in(stated[name].value.node) & {*names}} - locked
-    fixed = dependent(compiled.quantities, locked) - dependent(compiled.quantities, frozenset(moved))
+    symbols = [Symbol.named(name) for name in names]
     given = {name: nominal[name] if name in fixed else symbol for name, symbol in zip(names, symbols, strict=True)}
     return ca.vertcat(*symbols), given
 

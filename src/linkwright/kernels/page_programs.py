@@ -25,9 +25,11 @@ from linkwright.graph.tangent import tangent
 from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.javascript_source import javascript_array
 from linkwright.kernels.page_inputs import (
+    UNSTATED,
     Length,
     constants_program,
     derived_parameters,
+    fixed_parameters,
     law_program,
     law_slopes_program,
     locked_parameters,
@@ -50,7 +52,8 @@ SIGNS = {Sign.ANY: 0, Sign.NOT_NEGATIVE: 1, Sign.POSITIVE: 2}
 class PagePrograms:
     """A compiled mechanism's ``rows`` as a page computes them, and the ``measured`` ones with their rates in time, with
     all parameters but the ``locked`` ones free; programs of ``outlines`` give places of lines on links,
-    ``length`` how long the run is.
+    ``length`` how long the run is. Parameters that a sketch stands for (``drawn``) follow from it until they are
+    stated.
 
     A locked parameter has a finding that says why: what depends on it is no expression.
     """
@@ -60,21 +63,28 @@ class PagePrograms:
     measured: tuple[Named, ...] = ()
     outlines: tuple[Program, ...] = ()
     length: Length | None = None
+    drawn: tuple[str, ...] = ()
 
     @cached_property
     def locked(self) -> dict[str, Finding]:
-        """The parameters that can't be moved, among those that depend on no other."""
+        """The parameters that can't be moved, among the free ones."""
         return locked_parameters(self.compiled, self.derived.inputs)
 
     @cached_property
     def derived(self) -> Program:
-        """All parameters (SI) from those that depend on no other."""
-        return derived_parameters(self.compiled.quantities)
+        """All parameters (SI) from the free ones: those that depend on no other, and those of the sketch."""
+        return derived_parameters(self.compiled.quantities, drawn=self.drawn)
 
     @cached_property
     def values(self) -> tuple[float, ...]:
-        """The nominal values (SI) of those that depend on no other."""
-        return tuple(self.compiled.quantities.parameters[name] for name in self.derived.inputs)
+        """The nominal values (SI) of the free ones; nothing states those of the sketch."""
+        nominal = self.compiled.quantities.parameters
+        return tuple(UNSTATED if name in self.drawn else nominal[name] for name in self.derived.inputs)
+
+    @cached_property
+    def fixed(self) -> frozenset[str]:
+        """The parameters that follow from locked ones alone."""
+        return fixed_parameters(self.compiled.quantities, self.derived.inputs, self.locked)
 
     @cached_property
     def signals(self) -> Program:
@@ -114,16 +124,16 @@ class PagePrograms:
         return {
             "derived": [self.derived],
             "constants": [constants_program(compiled, self.length)],
-            "laws": [law_program(compiled, self.locked)],
-            "law_slopes": [law_slopes_program(compiled, self.locked)],
+            "laws": [law_program(compiled, self.fixed)],
+            "law_slopes": [law_slopes_program(compiled, self.fixed)],
             "closures": [graph.program(graph.closure(group)) for group in compiled.structure.higher_groups],
             "turns": turns,
             "lookups": [kernel.program for _, kernel in supply.levels],
-            "ratios": [ratio_program(compiled, self.locked)] if supply.followers and max(used) >= supply.first else [],
+            "ratios": [ratio_program(compiled, self.fixed)] if supply.followers and max(used) >= supply.first else [],
             "signals": [self.signals],
             "nearest": [graph.nearest_poses],
             "dragged": [self.dragged],
-            "slopes": [derived_parameters(compiled.quantities, tangents=True)],
+            "slopes": [derived_parameters(compiled.quantities, True, self.drawn)],
             "shape": [shape_program(compiled)],
             "outlines": [*self.outlines],
         }
@@ -209,7 +219,9 @@ def page_programs(
     measured: Sequence[Named] = (),
     outlines: Sequence[Program] = (),
     length: Length | None = None,
+    drawn: Sequence[str] = (),
 ) -> PagePrograms:
     """Rows of a mechanism as a page can compute them; those ``measured`` with their rates. Programs of ``outlines``
-    have the mechanism's parameters; the ``length`` of the run follows them too, where it is given."""
-    return PagePrograms(compiled, tuple(rows), tuple(measured), tuple(outlines), length)
+    have the mechanism's parameters; the ``length`` of the run follows them too, where it is given.
+    Those of the sketch (``drawn``) may be stated."""
+    return PagePrograms(compiled, tuple(rows), tuple(measured), tuple(outlines), length, tuple(drawn))

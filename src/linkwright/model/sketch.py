@@ -56,6 +56,7 @@ class _Sketch:
     def __init__(self, m: Mechanism) -> None:
         self.m = m
         self.derived: dict[str, Parameter] = {}
+        self.lengths: set[str] = set()
 
     def named(self, name: str, value: Text) -> Text:
         """An expression by its name; in full where the name is taken by something that is no parameter."""
@@ -78,7 +79,9 @@ class _Sketch:
 
     def length(self, a: str, b: str) -> Text:
         short = all(_SHORT.fullmatch(point) for point in (a, b))
-        return self.named(f"{a}{b}" if short else f"{a}_{b}", self.distance(a, b))
+        name = f"{a}{b}" if short else f"{a}_{b}"
+        self.lengths.add(name)
+        return self.named(name, self.distance(a, b))
 
     def local(self, link: str, known: list[str], point: str) -> list[Text]:
         """The coordinates of a further point: its distance from the origin, turned by the angle to the x axis."""
@@ -172,6 +175,17 @@ class _Sketch:
             return None
         (x, y), angle = self.step(line.point, point), line.angle.text
         return f"({x})*cos({angle}) + ({y})*sin({angle})"
+
+
+def drawn_parameters(m: Mechanism, stated: bool = False) -> dict[str, bool]:
+    """The parameters that a mechanism's sketch stands for and a file may state instead, each with whether it is the
+    length of a link; else it is a coordinate of a further point. With ``stated`` those too that the file states."""
+    if not m.sketch:
+        return {}
+    sketch = _Sketch(m)
+    for name, link in m.links.items():
+        sketch.link(name, link)
+    return {name: name in sketch.lengths for name in sketch.derived if stated or name not in m.parameters}
 
 
 def starts_as_drawn(drive: Drive) -> bool:

@@ -182,7 +182,8 @@ class LiveNumber(TypedDict):
 
     ``label`` is its place in short; ``value`` and the bounds ``low`` and ``high``, those of its ``tolerance``, and
     ``scale``, by which changes of numbers are compared, are in SI; ``size`` is the SI value of its ``unit``. A
-    ``named`` one is a parameter. ``locked`` says why it can't be moved. Its digits stand in columns ``start``
+    ``named`` one is a parameter or a length of the sketch. A ``drawn`` one follows from the sketch until it is moved;
+    it has no digits in the file. ``locked`` says why it can't be moved. Its digits stand in columns ``start``
     to ``end`` of a ``line`` of the data.
     """
 
@@ -196,10 +197,21 @@ class LiveNumber(TypedDict):
     unit: str
     size: float
     named: bool
+    drawn: bool
     locked: Text
     line: int
     start: int
     end: int
+
+
+class LiveEntry(TypedDict):
+    """Where the file takes a further parameter: in its ``line`` of the data, in braces at ``column``, or below it with
+    an ``indent``; without a line in a section of its own. ``unit`` stands behind the digits."""
+
+    line: int | None
+    column: int
+    indent: str
+    unit: str
 
 
 class SignalOwner(TypedDict):
@@ -261,7 +273,8 @@ class LiveData(TypedDict):
     row, which the page must find too, but for round-off of its ``scales``. ``measures``: what is taken of the samples,
     and of which signal (``measured``). ``outlines`` are lines on links, one program each; with ``cams`` some are
     those of cams. With ``power`` the last two rows are what the powers of a pose leave, and their size.
-    ``numbers``: what can be moved, and the ``lines`` of the file where it stands; ``conditions`` on numbers are in the
+    ``numbers``: what can be moved, and the ``lines`` of the file where it stands; ``entry``: where the file takes a
+    parameter that the sketch stands for; ``conditions`` on numbers are in the
     order of the program's. ``drives`` and ``parameters`` by their number; ``groups``: of each dyad with two modes
     its links and its outer joints; ``gap``: what is said of one that can't close, and what mends it, where it must span
     too much and where too little, with places for figures.
@@ -288,6 +301,7 @@ class LiveData(TypedDict):
     power: bool
     measured: Sequence[MeasuredSignal | None]
     numbers: Sequence[LiveNumber]
+    entry: LiveEntry | None
     lines: Sequence[str]
     drives: Sequence[str]
     by: SaidBy | None

@@ -7,7 +7,8 @@ whose branches hold at the nominal parameters alone.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from bisect import bisect_left
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -28,12 +29,14 @@ from linkwright.measures import live_measures, live_rows
 from linkwright.model.conditions import Condition
 from linkwright.model.desugar import file_paths
 from linkwright.model.document import Document
+from linkwright.model.drawn_numbers import DrawnNumber, EntryPlace, drawn_numbers, entry_place
+from linkwright.model.live_numbers import LiveNumber as WrittenLiveNumber
 from linkwright.model.live_numbers import live_numbers
 from linkwright.model.named_numbers import NamedNumbers, named_numbers
 from linkwright.model.yaml_text import Source
 from linkwright.presentation.json_numbers import known
 from linkwright.report.arrows import Arrow, arrow_rows
-from linkwright.report.data import LiveData, LiveNumber, Plot, SaidBy, Scene
+from linkwright.report.data import LiveData, LiveEntry, LiveNumber, Plot, SaidBy, Scene
 from linkwright.report.joint_shapes import live_joint_shapes
 from linkwright.report.outlines import LiveOutline
 from linkwright.report.packed import pruned
@@ -97,16 +100,22 @@ def live_data(
 
         cams = live_cam_shapes(compiled)
     outlines = [*cams, *live_joint_shapes(compiled)]
+    place = entry_place(named, source)
+    drawn = drawn_numbers(named) if place else []
     made = page_programs(
         compiled,
         [*compiled.graph.pose_rows, *signals, *others, *balance],
         measured,
         [one.program for one in outlines],
         _length(document, compiled),
+        [one.name for one in drawn],
     )
     values = [*recorded.evaluate(recorded.graph.pose_rows, result.t), *(result[name] for name in signals)]
     values += [*recorded.evaluate(others, result.t)] if others else []
-    numbers, lines = _numbers(made, named, source)
+    written = live_numbers(named, source)
+    stated = [place.line] if drawn and place and place.line else []
+    lines = _Lines(source, [*stated, *(one["line"] for one in written if one["name"] in made.derived.inputs)])
+    numbers = [*_numbers(made, named, written, lines), *_drawn(made, drawn)]
     probed = [*enumerate(values)][::EVERY]
     kinds = [*("pose" for _ in compiled.graph.pose_rows), *dimensions]
     return {
@@ -135,7 +144,8 @@ def live_data(
             for one, place in zip(made.conditions, _places(document, named, made.conditions), strict=True)
         ],
         "numbers": numbers,
-        "lines": lines,
+        "entry": _entry(place, lines) if drawn else None,
+        "lines": lines.shown,
         "drives": list(compiled.graph.drives),
         "by": _said_by(compiled),
         "gap": _gap_texts(compiled),
@@ -207,15 +217,63 @@ def _scales(rows: Sequence[Array], kinds: Sequence[object]) -> list[float]:
     ]
 
 
-def _numbers(made: PagePrograms, named: NamedNumbers, source: Source) -> tuple[list[LiveNumber], list[str]]:
-    """The numbers that stand in the text and are free; the lines in which they do."""
+class _Lines:
+    """The lines of a file that a page has, in their order."""
+
+    def __init__(self, source: Source, numbers: Iterable[int]) -> None:
+        every = (source.text or "").splitlines()
+        self._numbers = sorted({*numbers})
+        self.shown = [every[line - 1] for line in self._numbers]
+
+    def index(self, line: int) -> int:
+        """The place of a line of the file (from 1) among those of the page."""
+        return bisect_left(self._numbers, line)
+
+
+def _entry(place: EntryPlace | None, lines: _Lines) -> LiveEntry | None:
+    if place is None:
+        return None
+    line = None if place.line is None else lines.index(place.line)
+    return {"line": line, "column": place.column, "indent": place.indent, "unit": place.unit}
+
+
+def _drawn(made: PagePrograms, drawn: Sequence[DrawnNumber]) -> list[LiveNumber]:
+    """What follows from the sketch, and is stated once it is moved."""
     found: list[LiveNumber] = []
-    lines, whole = dict[int, int](), (source.text or "").splitlines()
+    (unit, size), scale = made.compiled.quantities.unit_of(LENGTH), float(f"{made.compiled.assembly.size():.3g}")
+    for one in drawn:
+        why = made.locked.get(one.name)
+        found.append(
+            {
+                "name": one.name,
+                "label": one.name,
+                "value": one.value,
+                "low": float(f"{one.low:.6g}"),
+                "high": float(f"{one.high:.6g}"),
+                "tolerance": None,
+                "scale": scale,
+                "unit": printed(unit),
+                "size": size,
+                "named": one.is_length,
+                "drawn": True,
+                "locked": "" if why is None else why.said("what"),
+                "line": 0,
+                "start": 0,
+                "end": 0,
+            }
+        )
+    return found
+
+
+def _numbers(
+    made: PagePrograms, named: NamedNumbers, written: Sequence[WrittenLiveNumber], lines: _Lines
+) -> list[LiveNumber]:
+    """The numbers that stand in the text and are free."""
+    found: list[LiveNumber] = []
     free, stated = {*made.derived.inputs}, made.compiled.mechanism.parameters
     scales = {LENGTH: made.compiled.assembly.size(), ANGLE: 1.0}
-    every = live_numbers(named, source)
-    labels = {one["name"]: one["label"] for one in every}
-    for one in every:
+    labels = {one["name"]: one["label"] for one in written}
+    for one in written:
         name = one["name"]
         if name not in free:
             continue
@@ -234,12 +292,13 @@ def _numbers(made: PagePrograms, named: NamedNumbers, source: Source) -> tuple[l
                 "size": one["size"],
                 "named": named.numbers[name].is_parameter if name in named.numbers else name in stated,
                 "locked": "" if why is None else _labelled(why, labels).said("what"),
-                "line": lines.setdefault(one["line"], len(lines)),
+                "drawn": False,
+                "line": lines.index(one["line"]),
                 "start": one["start"],
                 "end": one["end"],
             }
         )
-    return found, [whole[line - 1] for line in lines]
+    return found
 
 
 def _labelled(finding: Finding, labels: Mapping[str, str]) -> Finding:

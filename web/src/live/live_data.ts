@@ -15,6 +15,8 @@ export interface LiveNumber {
   readonly unit: string;
   readonly size: number;
   readonly named: boolean;
+  /** Whether it follows from the sketch until it is moved; the file has no digits of it. */
+  readonly drawn: boolean;
   readonly locked: boolean;
   /** What a change is measured by. */
   readonly scale: number;
@@ -60,6 +62,14 @@ export interface LiveData {
    * it is the x component; and whether limits of the measure are limits of these values. */
   readonly measured: readonly (MeasuredSignal | null)[];
   readonly numbers: readonly LiveNumber[];
+  /** Where the file takes a further parameter: in a line, in braces at a column or below it with an indent; without a
+   * line in a section of its own. */
+  readonly entry?: {
+    readonly line?: number | null;
+    readonly column: number;
+    readonly indent: string;
+    readonly unit: string;
+  } | null;
   /** The lines of the file in which numbers stand. */
   readonly lines: readonly string[];
   readonly drives: readonly string[];

@@ -36,6 +36,8 @@ export class LiveModel {
   private readonly places: number[];
   /** The place of a number of the data among the free parameters. */
   private readonly own: number[];
+  /** Its place among all parameters. */
+  private readonly derived: number[];
   private readonly listeners = new Set<() => void>();
 
   constructor(data: LiveData, programs: readonly Program[]) {
@@ -44,6 +46,7 @@ export class LiveModel {
     const { free } = data.program;
     this.places = free.map((name) => data.numbers.findIndex((number) => number.name === name));
     this.own = data.numbers.map(({ name }) => free.indexOf(name));
+    this.derived = data.numbers.map(({ name }) => data.parameters.indexOf(name));
     this.values = Float64Array.from(data.program.values);
     this.original = this.run(this.values);
     this.motion = this.original;
@@ -64,7 +67,19 @@ export class LiveModel {
 
   /** The value of a number of the data, by its place there. */
   value(number: number): number {
-    return this.values[this.own[number]!]!;
+    const value = this.values[this.own[number]!]!;
+    return this.states(value) ? value : this.motion.parameters[this.derived[number]!]!;
+  }
+
+  /** Whether a number of the data was moved; one that follows from the sketch isn't by that. */
+  moved(number: number): boolean {
+    const own = this.own[number]!;
+    return this.values[own] !== this.data.program.values[own];
+  }
+
+  /** Whether the value of a free parameter is one: those of the sketch have none until they are moved. */
+  private states(value: number): boolean {
+    return Math.abs(value) < this.data.program.largest;
   }
 
   set(number: number, value: number): void {
@@ -74,7 +89,7 @@ export class LiveModel {
 
   reset(number: number | null = null): void {
     if (number === null) this.values.set(this.data.program.values);
-    else this.values[this.own[number]!] = this.data.numbers[number]!.value;
+    else this.values[this.own[number]!] = this.data.program.values[this.own[number]!]!;
     this.compute();
   }
 
@@ -129,15 +144,17 @@ export class LiveModel {
     const own = new Set(links?.flatMap((link) => program.shaping[link] ?? []));
     // What stands on the frame stays, where the links have other numbers.
     const frame = new Set(links?.includes("frame") ? [] : program.shaping["frame"]);
+    const stated = Array.from(this.values, (value) => this.states(value));
     const movable = each.map(
-      (number, i) => !!number && !number.locked && !held(this.places[i]!) && (links === null || own.has(i)),
+      (number, i) =>
+        stated[i]! && !!number && !number.locked && !held(this.places[i]!) && (links === null || own.has(i)),
     );
     const stays = links !== null && movable.some((may, i) => may && !frame.has(i)) ? frame : new Set<number>();
     const found = drag(this.mechanism, this.values, time, point, target, {
       times: [times[0]!, times.at(-1)!],
       sizes: each.map((number) => number?.scale ?? 1),
-      low: each.map((number) => number?.low ?? 0),
-      high: each.map((number) => number?.high ?? 0),
+      low: each.map((number, i) => (stated[i] ? (number?.low ?? 0) : -Infinity)),
+      high: each.map((number, i) => (stated[i] ? (number?.high ?? 0) : Infinity)),
       held: movable.map((may, i) => !may || stays.has(i)),
     });
     if (Number.isFinite(found.off)) {

@@ -40,6 +40,7 @@ export function dimensions(box: Element, live: LiveModel, say: Say, why: readonl
   const bounds = tolerances(box, numbers, say, () => rows.forEach((_, i) => place(i)));
   /** The values that the rows show: what stays isn't written again, a browser lays it out anew. */
   const shown = new Float64Array(numbers.length).fill(NaN);
+  const marked = numbers.map(() => false);
   const place = (i: number): void => {
     const { slider, entry, back } = rows[i]!;
     const number = numbers[i]!;
@@ -54,13 +55,14 @@ export function dimensions(box: Element, live: LiveModel, say: Say, why: readonl
     slider.value = String(value / number.size);
     slider.setAttribute("aria-valuetext", `${text} ${number.unit}`);
     if (!typing) entry.value = text;
-    const same = value === number.value;
+    const same = !live.moved(i);
+    marked[i] = !same;
     back.hidden = same;
     slider.parentElement!.classList.toggle("changed", !same);
   };
   return {
     held: (i) => rows[i]!.hold.getAttribute("aria-pressed") === "true",
-    update: () => rows.forEach((_, i) => live.value(i) !== shown[i] && place(i)),
+    update: () => rows.forEach((_, i) => (live.value(i) !== shown[i] || live.moved(i) !== marked[i]) && place(i)),
   };
 }
 

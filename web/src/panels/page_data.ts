@@ -81,7 +81,7 @@ function liveData(data: Packed): LiveData {
   return { ...data, ...lists, times: timesOf(data.times), measures, numbers, conditions };
 }
 
-const PLAIN = { tolerance: null, named: false, locked: false, unit: "" };
+const PLAIN = { tolerance: null, named: false, drawn: false, locked: false, unit: "" };
 const NOTHING = { reason: null, watched: [], window: null, numbers: {}, words: {}, wrap: null, requirement: null };
 
 /** The parts of a measure in which something may be absent. */

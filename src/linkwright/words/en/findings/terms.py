@@ -109,6 +109,7 @@ TERMS: dict[str, str] = {
     "near-some-of": "Did you mean one of these: {names}? All of them: {known}.",
     "near-none": "Write one of these: {names}.",
     "near-nothing": "The file has none yet.",
+    "unused-alike": "Use it in an expression, or remove it. {names} is used: check whether that is meant.",
     "unused-meant": "Rename it to {names} if that is meant; or remove it.",
     "unused-plain": "Use it in an expression; or remove it.",
     # What the value of an option must be.

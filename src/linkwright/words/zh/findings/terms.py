@@ -107,6 +107,7 @@ TERMS: dict[str, str] = {
     "near-some-of": "是否指以下之一：{names}？可用的有：{known}。",
     "near-none": "改用以下之一：{names}。",
     "near-nothing": "文件中尚未定义此类名称。",
+    "unused-alike": "在表达式中使用该参数，或将其删除。{names} 已被使用，请检查所指是否为该参数。",
     "unused-meant": "若是指 {names}，请改为该名称；否则将其删除。",
     "unused-plain": "在表达式中使用该参数；或将其删除。",
     # What the value of an option must be.
