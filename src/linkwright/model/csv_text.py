@@ -16,6 +16,9 @@ from linkwright import escape
 EMPTY = '""'
 """A row of one blank cell: a line with nothing in it is no row."""
 
+ROWS = 1 << 10
+"""So many rows are put into text at once."""
+
 
 def head(name: str, unit: str) -> str:
     """A column's head: its name and unit."""
@@ -29,8 +32,14 @@ def cell(value: float | int) -> str:
 
 def numbers_text(header: list[str], columns: Iterable[NDArray[Any]]) -> str:
     """A table of numbers alone, from its columns; a cell is blank where a number isn't finite."""
-    rows = (",".join(row) or EMPTY for row in zip(*map(_cells, columns), strict=True))  # numbers need no quotes
-    return _written(header, ()) + "".join(f"{row}\n" for row in rows)
+    every = [*columns]
+    parts = [_written(header, ())]
+    # A number as a text takes ten times its memory: a part of the rows at a time.
+    for first in range(0, len(every[0]) if every else 0, ROWS):
+        some = (_cells(column[first : first + ROWS]) for column in every)
+        rows = (",".join(row) or EMPTY for row in zip(*some, strict=True))  # numbers need no quotes
+        parts.append("".join(f"{row}\n" for row in rows))
+    return "".join(parts)
 
 
 def table_text(header: list[str], rows: Iterable[list[str]]) -> str:

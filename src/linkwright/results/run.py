@@ -27,6 +27,8 @@ NARROWEST = 1e-13
 BLIND = 1e-6
 """The share of the run around a change point in which rates have lost their digits."""
 FORCE_SIZES = tuple(one.physical for one in (u.LENGTH, u.SPEED, u.OMEGA, u.FORCE, u.ENERGY))
+TOGETHER = 1 << 13
+"""Times at which expressions are evaluated at once: what they are made of is a multiple of their values."""
 LOOK = 1 << 14
 """Points at which the drives' laws are looked at for short moves and rests."""
 
@@ -155,9 +157,14 @@ class Run:
     def all_rates(self, trees: Sequence[Node], t: Array) -> tuple[Array, Array]:
         """Several such expressions and their rates: (trees, times) each."""
         names = self.signals_of(trees)
-        rows = dict(zip(names, zip(*self.possible_rates(names, t), strict=True), strict=True))
-        jets = [self.combine(tree, t, rows) for tree in trees]
-        return np.array([jet.d[0] for jet in jets]), np.array([jet.d[1] for jet in jets])
+        values, slopes = np.empty((2, len(trees), t.size))
+        for first in range(0, t.size, TOGETHER):
+            part = slice(first, first + TOGETHER)
+            some = t[part]
+            rows = dict(zip(names, zip(*self.possible_rates(names, some), strict=True), strict=True))
+            for i, tree in enumerate(trees):
+                values[i, part], slopes[i, part] = self.combine(tree, some, rows).d
+        return values, slopes
 
     def combine(self, node: Node, t: Array, rows: dict[str, tuple[Array, Array]]) -> Jet:
         """An expression from rows of signals and rates already at hand."""

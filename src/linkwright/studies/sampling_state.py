@@ -8,12 +8,14 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright._machine import memory_to_keep
 from linkwright.blocks import Checkpoint, Cut, Folding, Reduction, Sink, Together
 from linkwright.blocks.checkpoint import unsaved
 from linkwright.blocks.store import Stored, Variable
 from linkwright.blocks.work import Arrays
 from linkwright.data_classes import dataclass
 from linkwright.findings import Finding, ModelError
+from linkwright.studies.kept_values import too_many
 from linkwright.studies.run_context import RunContext
 from linkwright.studies.sampling_output import Samples
 from linkwright.studies.sampling_task import SampleTask, SampleWork
@@ -22,8 +24,9 @@ Array = NDArray[np.float64]
 
 ROWS = 1_000_000
 """The most samples of which a row each is kept."""
-VALUES = 1 << 27
-"""The most values that are kept in memory, where there is no folder."""
+
+ONE = 8
+"""Bytes of a value."""
 
 
 def tabled(samples: int) -> bool:
@@ -83,6 +86,8 @@ class Kept:
 
         rows = len(task.figures.columns) + len(task.figures.required)
         tallied: dict[str, Reduction] = task.tallied if rows else {}
+        if tabled(task.plan.samples) and (faults := too_many(study, "samples", task.plan.samples, rows)):
+            raise ModelError(faults)
         samples = Samples(
             task.cut, rows, len(task.varied.causes), tallied, tabled(task.plan.samples), checkpoint_of("samples")
         )
@@ -93,8 +98,9 @@ class Kept:
                 for path in (files[-1], site.out / store(study)):
                     site.keep(path, study)
                 made.stored = _stored(task, work, site.out, site.fresh)
-            elif len(task.signals.texts) * task.cut.samples * task.cut.poses > VALUES:
-                raise ModelError([Finding("study.no-folder", ("studies", study, "keep"), {"limit": f"{VALUES:,}"})])
+            elif len(task.signals.texts) * task.cut.samples * task.cut.poses * ONE > memory_to_keep():
+                limit = f"{memory_to_keep() // ONE:,}"
+                raise ModelError([Finding("study.no-folder", ("studies", study, "keep"), {"limit": limit})])
             else:
                 made.held = SignalMemory(task.cut, task.signals.texts)
         return made

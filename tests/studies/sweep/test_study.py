@@ -290,7 +290,7 @@ def test_all_values_are_kept_in_memory(whole: SweepOutcome) -> None:
 
 
 def test_too_many_values_for_memory(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(sampling_state, "VALUES", 10)
+    monkeypatch.setattr(sampling_state, "memory_to_keep", lambda: 80)
     with pytest.raises(lw.ModelError) as refusal:
         lw.sweep(document(), {"r": STEPS}, ["B.x"], keep="all")
     assert [f.code for f in refusal.value.findings] == ["study.no-folder"]

@@ -28,6 +28,7 @@ from linkwright.studies.cycle.outcome import CycleOutcome
 from linkwright.studies.cycle.report import report
 from linkwright.studies.follower_locking import locked
 from linkwright.studies.friction_checks import FrictionLaws, self_locking, starts
+from linkwright.studies.kept_values import too_many
 from linkwright.studies.load_checks import contacts, outside, outside_tables, undefined
 from linkwright.studies.output_dead_centres import powerless
 from linkwright.studies.plausible import coincident, crossed
@@ -62,7 +63,7 @@ class Cycle(Study):
                     law(t)
                 except ModelError as error:
                     findings += error.findings
-        return findings
+        return findings or too_many("cycle", "samples", options.samples, len(compiled.quantities.signals.by_text))
 
     def run(self, compiled: Compiled, options: CycleOptions, site: RunContext = NOWHERE) -> CycleOutcome:
         """Follow the motion, prove it, take the measures."""

@@ -49,6 +49,11 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "More than {limit} values would have to be kept in memory.",
         "Give a folder to write them to, with --out or out=...; or set keep: reduced.",
     ),
+    "study.too-many-values": (
+        "The study would keep {rows} rows of {columns} values, which takes about {needed} GB of memory; at most "
+        "{allowed} GB, one part in {share} of what is available, is used.",
+        "Set {key} to {most} at most; or run it on a machine with more memory.",
+    ),
     "study.no-value": (
         "In {count} of {samples} samples a measure or signal has no finite value, although the motion can be "
         "followed; the first one is sample {sample}.",

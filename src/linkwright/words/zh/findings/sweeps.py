@@ -49,6 +49,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "需要在内存中保存的数值超过 {limit} 个。",
         "用 --out 或“out=...”给出保存数值的文件夹；或设置 keep: reduced。",
     ),
+    "study.too-many-values": (
+        "该分析需要保存 {rows} 行、每行 {columns} 个数值，约需 {needed} GB 内存；最多使用 {allowed} GB，即可用内存的 1/{share}。",
+        "将 {key} 设为不超过 {most}；或在内存更大的计算机上运行。",
+    ),
     "study.no-value": (
         "{samples} 个样本中有 {count} 个，其运动可以跟踪，但某个测量项或信号没有有限值；第一个为样本 {sample}。",
         "检查是否有奇异位形、凸轮卡死从动件、除以零，或运动未进入时间窗；或缩小参数的范围。",
