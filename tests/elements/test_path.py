@@ -233,3 +233,46 @@ def test_a_point_out_of_reach_is_named() -> None:
     assert job.exit_code == 1
     failures = [f.code for f in job.outcomes["cycle"].failures]
     assert failures and all(code.startswith("motion.") for code in failures), failures
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_a_start_out_of_reach_is_told_with_its_distances(seed: int) -> None:
+    """Random two-link arms of a five-bar to a place: told just where the distance to a pivot is more than both links,
+    or less than their difference, with these numbers."""
+    rng = np.random.default_rng(seed)
+    a, b, c, d = rng.uniform(60, 200, 4).round(2)
+    pivots = {"A": np.array([-80.0, 0.0]), "E": np.array([80.0, 0.0])}
+    place = rng.uniform(-300, 300, 2).round(2)
+    away = {name: float(np.hypot(*(place - at))) for name, at in pivots.items()}
+    spans = {"A": (abs(a - b), a + b), "E": (abs(c - d), c + d)}
+    data = {
+        "linkwright": 1,
+        "units": {"length": "mm", "angle": "deg", "time": "s"},
+        "links": {
+            "frame": {"points": {"A": [-80, 0], "E": [80, 0]}},
+            "left": {"points": {"A": [0, 0], "B": [a, 0]}},
+            "right": {"points": {"E": [0, 0], "D": [c, 0]}},
+            "rodl": {"points": {"B": [0, 0], "C": [b, 0]}},
+            "rodr": {"points": {"D": [0, 0], "C": [d, 0]}},
+        },
+        "assembly": {"B": [-200, -50], "C": place.tolist(), "D": [200, -50]},
+        "paths": {"way": {"moves": "rodl", "at": "C", "x": f"{place[0]} mm", "y": f"{place[1]} mm"}},
+        "drives": {
+            "m1": {"turns": "left", "on": "frame", "output": "way"},
+            "m2": {"turns": "right", "on": "frame", "output": "way"},
+        },
+    }
+    _, findings = examine(Document.model_validate(data))
+    told = [finding for finding in findings if finding.code == "assembly.out-of-reach"]
+    beyond = [name for name, (low, high) in spans.items() if not low <= away[name] <= high]
+    errors = {finding.code for finding in findings if finding.severity == "error"}
+    if beyond == ["E"]:  # the right arm is a dyad once the left one has the point
+        assert errors == {"assembly.cannot-close"}
+    else:
+        assert errors == ({"assembly.out-of-reach"} if beyond else set())
+    for finding in told:
+        pin = str(finding.data["pin"])
+        low, high = spans[pin]
+        limit = high if away[pin] > high else low
+        assert pin in beyond and finding.data["distance"] == f"{away[pin]:.6g} mm"
+        assert f"{limit:.6g} mm" in finding.what and f"{abs(away[pin] - limit):.4g} mm" in finding.what

@@ -24,7 +24,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 FACTORS = (-1.5, -0.2, 0.0, 0.3, 0.999, 1.0, 1.001, 1.7, 6.0, 1e45)
 TIMES = np.array([0.0, 0.01])
 NAMES = sorted(path.stem for path in EXAMPLES.glob("*.yaml") if "\ndrives:" in path.read_text(encoding="utf-8"))
-USUAL = {"loader", "tailgate", "slider_crank_gas", "bonnet_hinge"}
+USUAL = {"geneva_drive", "loader", "tailgate", "slider_crank_gas", "bonnet_hinge"}
 
 
 def springs() -> Compiled:
@@ -97,13 +97,14 @@ def assert_verdicts(compiled: Compiled) -> int:
         refused += 1
         condition = made.conditions[failure["index"]]
         value = failure["value"]
-        said = condition.fault("" if condition.size is None else f"{value / condition.size:.6g}")
+        texts = [f"{x:.6g} {one.unit}" for x, one in zip(failure["figures"], condition.figures, strict=True)]
+        said = condition.fault("" if condition.size is None else f"{value / condition.size:.6g}", texts)
         (first, *_) = varied.faults(values[moving, None])
         if said.code == "law.values":  # the page tells of a law as a whole, the batch of its segment
             assert first.code.startswith("law.") and first.path[:2] == said.path[:2]
             continue
         assert (said.code, said.path) == (first.code, first.path)
-        assert said.what == first.what
+        assert said.what == first.what and "…" not in said.what
     return refused
 
 

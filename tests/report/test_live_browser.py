@@ -232,17 +232,43 @@ def test_only_the_links_of_a_pin_change(show: Callable[..., Opened]) -> None:
 
 
 def test_out_of_reach(show: Callable[..., Opened]) -> None:
-    """With all but one number locked a drag says by how much it can't follow."""
+    """With all numbers but those of one point locked a drag says by how much it can't follow."""
     view = show("four_bar")
-    view.page.evaluate("document.querySelectorAll('.hold').forEach((hold, i) => i && hold.click())")
-    here = view.pin("B")
+    view.page.evaluate("""document.querySelectorAll('.dimension').forEach(row =>
+        row.querySelector('label').textContent.startsWith('coupler.points.P') || row.querySelector('.hold').click())""")
+    here = view.pin("P")
     view.page.mouse.move(here.real, -here.imag)
     view.page.mouse.down()
-    view.page.mouse.move(here.real + 60, -here.imag - 80)
+    view.page.mouse.move(here.real + 160, -here.imag - 180)
     rested(view)
-    assert re.fullmatch(r"[\d.]+ mm out of reach", view.page.locator(".lw-hint").inner_text())
+    hint = view.page.locator(".lw-hint")
+    said = re.fullmatch(r"[\d.]+ mm out of reach: (.+) is at the end of its slider \(([-\d.]+) mm\)", hint.inner_text())
+    assert said is not None
+    slider = view.page.locator(".dimension", has=view.page.get_by_label(said[1], exact=True)).locator("[type=range]")
+    ends = [float(slider.get_attribute(end)) for end in ("min", "max")]
+    assert min(abs(float(said[2]) - end) for end in ends) < 1e-3 * (ends[1] - ends[0])
     view.page.mouse.up()
-    assert not view.page.locator(".lw-hint").is_visible()
+    assert not hint.is_visible()
+    view.page.evaluate("document.querySelectorAll('.hold[aria-pressed=false]').forEach(hold => hold.click())")
+    here = view.pin("P")
+    view.page.mouse.move(here.real, -here.imag)
+    view.page.mouse.down()
+    view.page.mouse.move(here.real + 160, -here.imag - 180)
+    rested(view)
+    assert hint.inner_text().endswith("no number that moves this point is free")
+    view.page.mouse.up()
+
+
+def test_a_drag_over_the_drawing_selects_no_text(show: Callable[..., Opened]) -> None:
+    """From a link's body and from empty ground, across the names of points and links."""
+    view = show("four_bar")
+    box = view.page.locator(".lw-stage svg").first.bounding_box()
+    for x, y in ((0.5, 0.6), (0.05, 0.05)):
+        view.page.mouse.move(box["x"] + x * box["width"], box["y"] + y * box["height"])
+        view.page.mouse.down()
+        view.page.mouse.move(box["x"] + 0.95 * box["width"], box["y"] + 0.95 * box["height"], steps=4)
+        assert view.page.evaluate("getSelection().toString()") == ""
+        view.page.mouse.up()
 
 
 def test_what_cannot_be_assembled(show: Callable[..., Opened]) -> None:
@@ -375,6 +401,17 @@ def test_in_chinese(browser: Any, tmp_path: Path) -> None:
     assert "封闭" in state(view)
     assert view.complaints == []
     view.context.close()
+
+
+@pytest.mark.parametrize(
+    ("example", "why"),
+    [("parallelogram", "change points"), ("guided_scissor_lift", "redundant"), ("bracket", "single pose")],
+)
+def test_a_recorded_report_says_why(show: Callable[..., Opened], example: str, why: str) -> None:
+    """There are no dimensions, and a line tells the reason."""
+    view = show(example)
+    assert not view.page.locator("#dimensions").count()
+    assert why in view.page.locator("#recorded").inner_text()
 
 
 def test_a_motion_through_change_points_is_recorded(show: Callable[..., Opened]) -> None:

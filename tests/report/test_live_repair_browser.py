@@ -111,10 +111,10 @@ def test_what_a_change_does_not_reach_is_marked(browser: Any, tmp_path: Path) ->
     studies["accuracy"] = {"outputs": ["rocker.angle"], "positions": {"middle": "1 s"}, "samples": 100, "seed": 1}
     path, job = written(tmp_path, data)
     view = Opened(browser, path)
-    live = {"mechanism", "dimensions", "measures", "plots", "motion", "force", "structure", "model"}
+    live = {"mechanism", "dimensions", "measures", "plots", "motion", "force", "model"}
     sections = view.page.locator("main section[id]").evaluate_all("all => all.map(each => each.id)")
     kept = [name for name in sections if name not in live]
-    assert {"limits", "accuracy", "certificate"} <= {*kept}
+    assert {"limits", "accuracy", "certificate", "structure"} <= {*kept}
     assert len(job.outcomes) == 3
     visible = "all => all.filter(each => each.offsetParent).map(each => each.parentElement.id)"
     assert view.page.locator(".of-file").evaluate_all(visible) == []

@@ -217,3 +217,15 @@ def test_other_terms_are_seen() -> None:
     assert otherwise("The boundaries of 'boundary: {boundary}'.", "轮廓线。") == ["boundary"]
     assert otherwise("Dead centres.", "死点。") == otherwise("A standard deviation.", "标准差。") == []
     assert MEANT["transfer coefficient"] == ["灵敏度", "传递系数"]
+
+
+def test_examples_in_texts_show_the_same_keys() -> None:
+    """What can be written is one thing: a key that a text shows in one language stands in the other, too. Only code has
+    a plain colon behind a word in Chinese; in English it is sure behind a brace."""
+    en, zh = catalogue("en"), catalogue("zh")
+    shown = {key: {*re.findall(r"([a-z_]+): ", str(zh[key]))} for key in en}
+    absent = {key: {word for word in words if f"{word}:" not in str(en[key])} for key, words in shown.items()}
+    back = {key: {*re.findall(r"\{\{([a-z_]+): ", str(en[key]))} - shown[key] for key in en}
+    assert sum(map(bool, shown.values())) > 40
+    assert {key: words for key, words in absent.items() if words} == {}
+    assert {key: words for key, words in back.items() if words} == {}

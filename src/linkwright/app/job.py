@@ -23,6 +23,7 @@ from linkwright.model.document import Document, dump, located
 from linkwright.model.input_files import STDIN, STDIN_NAME
 from linkwright.model.model_file import read_model_file
 from linkwright.model.origin import Origin, hashed, table_hashes
+from linkwright.model.plausible import unloaded
 from linkwright.model.references import option_faults
 from linkwright.model.unused_parameters import unused_parameters
 from linkwright.model.walk import Options, option_places
@@ -68,14 +69,16 @@ class Examined:
     def read_from(self, read: Examined) -> Examined:
         """The same, with the file that it was read from, what is remarked on that and the lines of its findings."""
         self.source, self.file, self.content = read.source, read.file, read.content
-        self.findings = self.located([*read.findings, *self.findings, *self._unused()])
+        self.findings = self.located([*read.findings, *self.findings, *self._unasked()])
         return self
 
-    def _unused(self) -> Iterable[Finding]:
-        """Parameters that a file states for nothing; beside a sketch they are told with what is odd with that."""
-        if self.document is None or self.compiled is None or self.document.sketch:
+    def _unasked(self) -> Iterable[Finding]:
+        """What a file says for nothing: parameters (beside a sketch they are told with what is odd with that), and
+        measures of forces where there are none."""
+        if self.document is None or self.compiled is None:
             return ()
-        return unused_parameters(self.document, self.compiled.quantities)
+        q = self.compiled.quantities
+        return [*(() if self.document.sketch else unused_parameters(self.document, q)), *unloaded(q)]
 
     def located(self, findings: Iterable[Finding]) -> list[Finding]:
         """The same findings with their lines in the file."""

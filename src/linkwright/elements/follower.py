@@ -162,6 +162,7 @@ class Follower(MoverSignals, ABC):
     """The code of the finding that its contact holds the link fast."""
     output: ClassVar[None] = None
     moves: ClassVar[None] = None
+    at: ClassVar[None] = None
 
     @property
     def title(self) -> Term:

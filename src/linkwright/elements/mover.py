@@ -57,6 +57,10 @@ class Mover(Protocol):
     def moves(self) -> str | None:
         """The link where the value is the place of one of its points along a line of ``on``."""
 
+    @property
+    def at(self) -> str | None:
+        """This point."""
+
     def track(self, geometry: JointGeometry) -> Track:
         """This point and this line."""
 

@@ -127,6 +127,11 @@ class Coordinate(MoverSignals):
         return self.path.moves
 
     @property
+    def at(self) -> str:
+        """The point that is moved."""
+        return self.path.at
+
+    @property
     def link(self) -> str:
         """The link that has the point."""
         return self.path.moves

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import field
 from typing import Any
@@ -24,6 +24,7 @@ from linkwright.graph.higher_groups import (
     only_coordinates,
 )
 from linkwright.graph.motion import Motion, Unknowns, solve_motion
+from linkwright.graph.prescribed_places import out_of_reach
 from linkwright.graph.wedges import Parallel
 from linkwright.groups import Dyad
 from linkwright.model.pins import Pin
@@ -203,10 +204,25 @@ class _Assembler:
             raise _CannotStart
         found = assemble_higher_group(self.motion, higher_group, sketch, self.drives)
         if found is None:
-            self.note("assembly.not-found", ("links", higher_group.links[0]), links=Joined(higher_group.links))
+            self.not_found(higher_group, sketch)
             raise _CannotStart
         self.assembly.starts[higher_group] = found
         return found
+
+    def not_found(self, higher_group: HigherGroup, sketch: Iterable[str]) -> None:
+        """Why a higher group has no assembly: a prescribed place that is out of reach, else that none was found."""
+        if (far := out_of_reach(self.motion, higher_group, self.drives)) is not None:
+            unit, size = self.quantities.unit_of(LENGTH)
+            wide, by = far.distance > far.limit, f"{abs(far.distance - far.limit) / size:.4g} {unit}"
+            limit, distance = (f"{length / size:.6g} {unit}" for length in (far.limit, far.distance))
+            data = {"drive": far.drive, "point": far.point, "pin": far.pin, "links": enumerated(far.links)}
+            data |= {"distance": distance, "short": Term("reach-most" if wide else "reach-least", limit=limit, by=by)}
+            self.note("assembly.out-of-reach", ("drives", far.drive), **data)
+            return
+        drawn = any(isinstance(self.rules[name], Drawn) for name in sketch)
+        where = Term("places-of-sketch" if drawn else "places-of-assembly")
+        first = higher_group.links[0]
+        self.note("assembly.not-found", ("links", first), links=Joined(higher_group.links), where=where)
 
     def unplaced(self, pin: Pin, higher_group: HigherGroup) -> list[str]:
         """The name by which a sketch gives a pin's place, where only links of the higher group, or later ones, are on

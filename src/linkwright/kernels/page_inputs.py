@@ -137,15 +137,17 @@ def ratio_program(compiled: Compiled, fixed: Container[str]) -> Program:
 
 def constants_program(compiled: Compiled, length: Length | None = None) -> Program:
     """What is computed once for a set of parameters: the angle (rad) near which each counted one starts, 0 where it
-    starts anywhere; then the margins of the conditions on numbers (see :func:`number_conditions`);
-    last the ``length`` of a run (s), 0 where that stays."""
+    starts anywhere; then the margins of the conditions on numbers (see :func:`number_conditions`) and the figures of
+    their sentences; last the ``length`` of a run (s), 0 where that stays."""
     p, parameters = _parameters(compiled, ())
     geometry, supply = Geometry(compiled.quantities, parameters), compiled.supply
     rows: list[Any] = []
     for name in compiled.graph.actions.turning:
         counted = compiled.graph.actions.counted_angles.get(name)
         rows.append(0.0 if counted is None else supply.start_angle(name, geometry.number))
-    rows += [one.margin for one in number_conditions(compiled, parameters, length)]
+    conditions = number_conditions(compiled, parameters, length)
+    rows += [one.margin for one in conditions]
+    rows += [figure.value for one in conditions for figure in one.figures]
     rows.append(0.0 if length is None else length(geometry.number)[0])
     return _program(compiled, ca.SX(0, 1), p, rows, ())
 

@@ -148,7 +148,8 @@ class PagePrograms:
         ``programs``: how many there are of each kind, in the order of the array. ``higher``: of each higher group its
         rows, the scale of each coordinate, which of them slide, their start at the nominal parameters. ``turns``,
         ``lookups``, ``ratios``, ``totals``: the rows that are put in place before the signals. ``conditions``: what
-        each number that is checked must be, a digit each, by :data:`SIGNS`; ``largest``: that below which values are.
+        each number that is checked must be, a digit each, by :data:`SIGNS`; ``figures``: of which condition each
+        further figure is that its sentence has, with the SI value of its unit; ``largest``: below which values are.
         """
         compiled, graph, supply = self.compiled, self.compiled.graph, self.compiled.supply
         rows, width = supply.rows, graph.width
@@ -198,6 +199,7 @@ class PagePrograms:
             "points": list(self.points),
             "links": list(compiled.structure.topology.moving),
             "conditions": "".join(str(SIGNS[one.sign]) for one in self.conditions),
+            "figures": [[k, one.size] for k, each in enumerate(self.conditions) for one in each.figures],
             "largest": LARGEST,
         }
 

@@ -6,7 +6,7 @@ of which a page makes the same conditions.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from functools import partial
 from itertools import chain
@@ -35,6 +35,37 @@ Values = Callable[[Expression, Dimension], Any]
 """Gives the values of expressions (SI): numbers, arrays of samples, or symbols."""
 
 
+class Figure(str):
+    """A number of a sentence that has no digits yet, since it is an array of samples or a symbol: its value (SI), and
+    the unit in which it is told with the SI value of that. As text it is a mark."""
+
+    value: Any
+    unit: str
+    size: float
+
+    def __new__(cls, value: Any, unit: str, size: float) -> Figure:
+        made = super().__new__(cls, "…")
+        made.value, made.unit, made.size = value, unit, size
+        return made
+
+
+def _figures(part: Any) -> Iterator[Figure]:
+    """The figures of a finding's data, in their order."""
+    if isinstance(part, Figure):
+        yield part
+    elif isinstance(part, Joined):
+        yield from chain.from_iterable(map(_figures, part.parts))
+
+
+def _with_texts(part: Any, texts: Iterator[str]) -> Any:
+    """The same with texts in place of the figures."""
+    if isinstance(part, Figure):
+        return next(texts)
+    if isinstance(part, Joined):
+        return Joined([_with_texts(one, texts) for one in part.parts], part.data["between"])
+    return part
+
+
 @dataclass(frozen=True)
 class Condition:
     """That ``margin`` (SI) has a ``sign``: POSITIVE, NOT_NEGATIVE, or with ANY only a value below :data:`LARGEST`.
@@ -57,10 +88,16 @@ class Condition:
             return np.less(self.margin, 0)
         return np.logical_not(np.abs(self.margin) < LARGEST)
 
-    def fault(self, value: str) -> Finding:
-        """What is wrong, where it states the margin with this text of it."""
-        own = self.finding
-        return own if self.size is None else Finding(own.code, own.path, {**own.data, "value": value})
+    @property
+    def figures(self) -> list[Figure]:
+        """The other numbers that its sentence has no digits of."""
+        return [figure for part in self.finding.data.values() for figure in _figures(part)]
+
+    def fault(self, value: str, texts: Iterable[str] = ()) -> Finding:
+        """What is wrong, where it states the margin with this text of it, and its figures with these."""
+        own, rest = self.finding, iter(texts)
+        data = {key: _with_texts(part, rest) for key, part in own.data.items()} if texts else own.data
+        return Finding(own.code, own.path, data if self.size is None else {**data, "value": value})
 
 
 def finite(q: Quantities, values: Values, names: bool = True) -> Iterator[Condition]:
@@ -135,7 +172,7 @@ class _Places:
 
     def text_of(self, value: Any, dimension: Dimension) -> str:
         unit, size = self.q.unit_of(dimension)
-        return f"{value / size:.6g} {unit}" if isinstance(value, int | float) else "…"
+        return _number(value, unit, size)
 
 
 def _elements(q: Quantities, values: Values, nominal: bool) -> Iterator[Condition]:
@@ -180,15 +217,16 @@ def _triangles(q: Quantities, values: Values) -> Iterator[Condition]:
             path, (first, second) = ("links", name, "points", point), at.side.points
             sides, slacks = at.triangle(values, partial(link.place, values))
             ends = ((point, first), (point, second), (first, second))
-            shown = Joined(f"{p}-{q} = {_number(side / size)} {unit}" for (p, q), side in zip(ends, sides, strict=True))
+            stated = zip(ends, sides, strict=True)
+            shown = Joined(Joined([f"{p}-{q} =", _number(side, unit, size)], " ") for (p, q), side in stated)
             data = {"point": point, "link": name, "sides": shown, "unit": unit, "value": ""}
             for slack in slacks:
                 yield Condition(slack, Sign.POSITIVE, Finding("triangle.impossible", path, data), size)
 
 
-def _number(value: Any) -> str:
-    """A number as text; a mark of many samples, or of a symbol."""
-    return f"{value:.6g}" if isinstance(value, float) else "…"
+def _number(value: Any, unit: str, size: float) -> str:
+    """A number (SI) as text, where it is one."""
+    return f"{value / size:.6g} {unit}" if isinstance(value, int | float) else Figure(value, unit, size)
 
 
 def varying_conditions(q: Quantities, values: Values, varies: Callable[[Any], bool]) -> list[Condition]:

@@ -7,17 +7,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from itertools import combinations
 from typing import TypeVar
 
 from linkwright.escape import printed
 from linkwright.expressions import units as u
+from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.fields import Expression
-from linkwright.expressions.language import Name, Number, nodes
+from linkwright.expressions.language import Call, ExpressionError, Name, Number, nodes
 from linkwright.expressions.units import Dimension
-from linkwright.findings import Finding, Term
+from linkwright.findings import Finding, Joined, Term
 from linkwright.model.gravity import EARTH
 from linkwright.model.parts import Link
+from linkwright.model.places import ExpressionPlace
 from linkwright.model.quantities import Quantities
 
 Key = TypeVar("Key")
@@ -35,6 +38,27 @@ MOST_POINTS = 40
 def implausible(q: Quantities) -> list[Finding]:
     """Warnings and notes on a mechanism whose quantities are free of findings."""
     return [*_gravity(q), *_lengths(q), *_masses(q), *_speeds(q)]
+
+
+def unloaded(q: Quantities) -> Iterator[Finding]:
+    """A note where forces or torques are measured, but nothing can make any: no mass, no load, spring or friction."""
+    m = q.mechanism
+    heavy = any(m.has_mass(link) for link in m.links)
+    if heavy or any(True for _ in m.acting()) or any(getattr(joint, "pretension", None) for joint in m.joints.values()):
+        return
+    asked = dict.fromkeys(place.path[1] for place in q.places if place.path[0] == "measures" and _asks_forces(q, place))
+    if asked:
+        yield Finding("plausible.unloaded", ("measures", next(iter(asked))), {"names": Joined(asked)}, severity="note")
+
+
+def _asks_forces(q: Quantities, place: ExpressionPlace) -> bool:
+    """Whether an expression has a signal of a force, a torque or a power."""
+    for node in nodes(place.expression.node):
+        if isinstance(node, Name | Call):
+            with suppress(DimensionError, ExpressionError):
+                if q.signals.find(node).dimension.mass:
+                    return True
+    return False
 
 
 def amount(q: Quantities, value: float, dimension: Dimension) -> str:

@@ -34,7 +34,13 @@ def broken(q: Quantities, stated: Iterable[Condition]) -> Iterator[Finding]:
         if q.bad(wrong) and (key := (condition.finding.code, condition.finding.path)) not in said:
             said.add(key)
             size = condition.size
-            yield condition.fault("" if size is None else f"{np.extract(wrong, condition.margin)[0] / size:.6g}")
+            texts = [f"{_first(wrong, one.value) / one.size:.6g} {one.unit}" for one in condition.figures]
+            yield condition.fault("" if size is None else f"{_first(wrong, condition.margin) / size:.6g}", texts)
+
+
+def _first(wrong: Any, value: Any) -> float:
+    """A value, of many samples that of the first one of which something is wrong."""
+    return float(np.extract(wrong, np.broadcast_to(value, np.shape(wrong)))[0])
 
 
 def _slides(q: Quantities) -> Iterator[Finding]:

@@ -40,7 +40,7 @@ from linkwright.report.data import (
 )
 from linkwright.report.first_plots import first_plots
 from linkwright.report.joint_shapes import is_cylinder, joint_shapes
-from linkwright.report.live import can_be_live, live_data
+from linkwright.report.live import can_be_live, live_data, recorded_for
 from linkwright.report.outlines import Shapes
 from linkwright.report.packed import rounded
 from linkwright.report.structure_summary import facts
@@ -99,6 +99,7 @@ def report_data(
         "plots": curves,
         "first": first_plots(curves, result),
         "live": live,
+        "recorded": "" if live else Said(f"report.recorded.{recorded_for(result) or 'numbers'}"),
         "sections": [*_untaken(result, live), *(section for one in shown for section in one.sections)],
         "structure": facts(result.run.compiled),
         "problems": [_problem(finding) for finding in findings],

@@ -314,7 +314,8 @@ class LiveData(TypedDict):
 class ReportData(TypedDict):
     """Everything on the page. Sentences: ``source``, what the mechanism is taken from; ``title_block``: model
     file, hash, date, author, revision and version. ``sections``: what the studies show. With ``live`` the page computes
-    the values of scene and plots itself; ``first`` are the numbers of the plots that it shows unfolded."""
+    the values of scene and plots itself, else ``recorded`` says why not; ``first`` are the numbers of the plots that it
+    shows unfolded."""
 
     title: str
     subtitle: str
@@ -328,5 +329,6 @@ class ReportData(TypedDict):
     sections: Sequence[Section]
     structure: Sequence[Fact]
     live: NotRequired[LiveData | None]
+    recorded: NotRequired[Text]
     problems: Sequence[Problem]
     model_text: str

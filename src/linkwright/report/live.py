@@ -58,10 +58,19 @@ ROUND_OFF = 1e-9
 
 def can_be_live(result: Result) -> bool:
     """Whether a page can compute what a result shows."""
+    return recorded_for(result) is None
+
+
+def recorded_for(result: Result) -> str | None:
+    """Why a page shows a result as it was recorded, as a key of its texts; ``None`` where it can compute it."""
     run = result.run
     if run.compiled.structure.releases:  # other numbers may no longer agree with what is left out
-        return False
-    return not isinstance(run, Sweep) and run.start == 0.0 < run.stop and not run.compiled.passages.every
+        return "redundant"
+    if isinstance(run, Sweep):
+        return "sweep"
+    if run.compiled.passages.every:  # branches hold at the nominal parameters alone
+        return "passages"
+    return None if run.start == 0.0 < run.stop else "stands"
 
 
 def live_data(
@@ -115,7 +124,8 @@ def live_data(
     written = live_numbers(named, source)
     stated = [place.line] if drawn and place and place.line else []
     lines = _Lines(source, [*stated, *(one["line"] for one in written if one["name"] in made.derived.inputs)])
-    numbers = [*_numbers(made, named, written, lines), *_drawn(made, drawn)]
+    labels = {one["name"]: one["label"] for one in written}
+    numbers = [*_numbers(made, named, written, lines, labels), *_drawn(made, drawn, labels)]
     probed = [*enumerate(values)][::EVERY]
     kinds = [*("pose" for _ in compiled.graph.pose_rows), *dimensions]
     return {
@@ -140,7 +150,7 @@ def live_data(
         "measures": [pruned(one.data({row: i for i, row in enumerate(measured)})) for one in measures],
         "measured": measured_signals((one.measure for one in measures), listed.names),
         "conditions": [
-            {"place": place, "what": one.fault("{value}").said("what"), "size": one.size}
+            {"place": place, "what": one.fault("{value}", _figure_places(one)).said("what"), "size": one.size}
             for one, place in zip(made.conditions, _places(document, named, made.conditions), strict=True)
         ],
         "numbers": numbers,
@@ -197,6 +207,11 @@ def _gap_texts(compiled: Compiled) -> list[tuple[Text, Text]]:
     return found
 
 
+def _figure_places(condition: Condition) -> list[str]:
+    """Places for the figures of a condition's sentence, which the page fills."""
+    return [f"{{f{k}}} {figure.unit}" for k, figure in enumerate(condition.figures)]
+
+
 def _places(document: Document, named: NamedNumbers, conditions: Sequence[Condition]) -> list[str]:
     """The places of conditions in the file, as findings have them."""
     findings = named.with_file_paths(condition.finding for condition in conditions)
@@ -237,7 +252,7 @@ def _entry(place: EntryPlace | None, lines: _Lines) -> LiveEntry | None:
     return {"line": line, "column": place.column, "indent": place.indent, "unit": place.unit}
 
 
-def _drawn(made: PagePrograms, drawn: Sequence[DrawnNumber]) -> list[LiveNumber]:
+def _drawn(made: PagePrograms, drawn: Sequence[DrawnNumber], labels: Mapping[str, str]) -> list[LiveNumber]:
     """What follows from the sketch, and is stated once it is moved."""
     found: list[LiveNumber] = []
     (unit, size), scale = made.compiled.quantities.unit_of(LENGTH), float(f"{made.compiled.assembly.size():.3g}")
@@ -256,7 +271,7 @@ def _drawn(made: PagePrograms, drawn: Sequence[DrawnNumber]) -> list[LiveNumber]
                 "size": size,
                 "named": one.is_length,
                 "drawn": True,
-                "locked": "" if why is None else why.said("what"),
+                "locked": "" if why is None else _labelled(why, labels).said("what"),
                 "line": 0,
                 "start": 0,
                 "end": 0,
@@ -266,13 +281,16 @@ def _drawn(made: PagePrograms, drawn: Sequence[DrawnNumber]) -> list[LiveNumber]
 
 
 def _numbers(
-    made: PagePrograms, named: NamedNumbers, written: Sequence[WrittenLiveNumber], lines: _Lines
+    made: PagePrograms,
+    named: NamedNumbers,
+    written: Sequence[WrittenLiveNumber],
+    lines: _Lines,
+    labels: Mapping[str, str],
 ) -> list[LiveNumber]:
     """The numbers that stand in the text and are free."""
     found: list[LiveNumber] = []
     free, stated = {*made.derived.inputs}, made.compiled.mechanism.parameters
     scales = {LENGTH: made.compiled.assembly.size(), ANGLE: 1.0}
-    labels = {one["name"]: one["label"] for one in written}
     for one in written:
         name = one["name"]
         if name not in free:

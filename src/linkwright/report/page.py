@@ -39,6 +39,8 @@ LIVE_WORDS = (
     "original",
     "others",
     "out_of_reach",
+    "out_of_reach_end",
+    "out_of_reach_locked",
     "requirements",
     "reset",
     "reset_one",
@@ -68,6 +70,7 @@ PLACES = {
 """The places of the scripts' texts, which the scripts fill."""
 SCRIPT_WORDS = (
     "report.areas",
+    "report.areas_of_file",
     "report.arrow_acceleration",
     "report.arrow_length",
     "report.arrow_load",

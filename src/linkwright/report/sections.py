@@ -125,9 +125,10 @@ def stage(still: str) -> str:
 
 
 def dimensions(data: ReportData) -> str:
-    """The place of the numbers that can be moved; the script fills it."""
+    """The place of the numbers that can be moved; the script fills it. Where there are none a line says why."""
     if not data.get("live"):
-        return ""
+        why = data.get("recorded")
+        return f'<p id="recorded" class="hint screen">{prose(why)}</p>' if why else ""
     title = markup(say("report.dimensions"))
     return f'<section id="dimensions"><h2>{title}</h2><div id="numbers" class="panel"></div></section>'
 
@@ -140,7 +141,7 @@ def structure(data: ReportData) -> str:
         f"<div><dt>{markup(fact['name'])}</dt><dd>{_lines(fact['sentence'])}</dd></div>" for fact in data["structure"]
     )
     title = markup(say("report.structure"))
-    return f'<section id="structure"><h2>{title}</h2><dl>{rows}</dl></section>'
+    return f'<section id="structure"><h2>{title}</h2>{of_file()}<dl>{rows}</dl></section>'
 
 
 def plots(data: ReportData) -> str:

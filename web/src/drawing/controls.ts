@@ -43,6 +43,8 @@ export function controls(root: Element, facts: Facts, { say, time, real }: Contr
     say("areas"),
     facts.areas.map(({ name }, i) => ({ name, colour: `lw-c${i % PALETTE}`, checked: true })),
   );
+  // A page whose numbers are changed says that these aren't computed anew.
+  if (facts.areas.length) html("span", { class: "lw-of-file" }, options, say("areas_of_file"));
   const traces = chosen(say("paths"), paths(facts));
   const centrodes = chosen(
     say("centrodes"),

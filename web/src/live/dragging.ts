@@ -2,7 +2,7 @@
 
 import type { Drawing } from "../drawing/render.ts";
 import { nearest } from "../scene/times.ts";
-import type { LiveModel } from "./live_model.ts";
+import type { Hindrance, LiveModel } from "./live_model.ts";
 
 /** How near to a point one has to press, in pixels: with a mouse, with a finger. */
 const NEAR = { mouse: 14, touch: 24 };
@@ -13,8 +13,8 @@ export interface DragOptions {
   readonly held: (number: number) => boolean;
   /** Whether dimensions follow a drag; else the time. */
   readonly shapes: () => boolean;
-  /** A drag ended (null), or is as near to the pointer as it gets: by how much it is off, in SI. */
-  readonly said: (off: number | null) => void;
+  /** A drag ended (null), or is as near to the pointer as it gets: by how much it is off, in SI, and what keeps it. */
+  readonly said: (off: number | null, by?: Hindrance) => void;
 }
 
 export function dragging({ live, drawing, held, shapes, said }: DragOptions): void {
@@ -42,7 +42,7 @@ export function dragging({ live, drawing, held, shapes, said }: DragOptions): vo
     if (shapes()) {
       const found = live.drag(point, target, time, every ? null : links, held);
       if (found.time !== time) drawing.setTime((time = found.time) / data.second);
-      said(found.reached ? null : found.off);
+      said(found.reached ? null : found.off, found);
     } else drawing.setTime((time = nearestTime(target)) / data.second);
   };
   /** The time near the present one at which the point comes nearest to a place. */

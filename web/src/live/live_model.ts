@@ -15,6 +15,12 @@ const CLOSE = 1e-9;
 /** Changes that come within this time (ms) of each other are one. */
 const STROKE = 600;
 
+/** What may keep a drag from its target: numbers at the ends of their sliders, or that none may change. */
+export interface Hindrance {
+  readonly ended: readonly number[];
+  readonly locked: boolean;
+}
+
 export class LiveModel {
   readonly data: LiveData;
   readonly mechanism: Mechanism;
@@ -137,7 +143,7 @@ export class LiveModel {
     time: number,
     links: readonly string[] | null,
     held: (number: number) => boolean,
-  ): Dragged {
+  ): Dragged & Hindrance {
     const { numbers, program } = this.data;
     const { times } = this.motion;
     const each = this.places.map((number) => numbers[number]);
@@ -161,7 +167,8 @@ export class LiveModel {
       this.values.set(found.free);
       this.compute();
     }
-    return found;
+    const ended = found.limits.map((i) => this.places[i]!).filter((number) => number >= 0);
+    return { ...found, ended, locked: movable.every((may, i) => !may || stays.has(i)) };
   }
 
   /** A signal of a motion in SI by its name; undefined where the page has none. */

@@ -12,7 +12,7 @@ import type { StateWords } from "../panels/state_line.ts";
 import type { Charts } from "../plots/charts.ts";
 import type { Scene, Texts, TimeAxis } from "../scene/data.ts";
 import { dragging } from "./dragging.ts";
-import type { LiveModel } from "./live_model.ts";
+import type { Hindrance, LiveModel } from "./live_model.ts";
 import { sceneOf } from "./live_scene.ts";
 import { sixDigits } from "../scene/numbers.ts";
 
@@ -66,14 +66,25 @@ export function livePage({ live, drawing, charts, scene, time, texts, locked, st
     drawing,
     held: panel.held,
     shapes,
-    said: (off) => {
+    said: (off, by) => {
       hint.hidden = off === null;
-      const far = off === null ? "" : `${sixDigits(off / live.data.length)} ${scene.length_unit}`;
-      write(hint, filled(say("live.out_of_reach"), { off: far }));
+      if (off === null) return;
+      const far = `${Number((off / live.data.length).toPrecision(4))} ${scene.length_unit}`;
+      write(hint, hindered(live, say, far, by));
     },
   });
   panel.update();
   state.update(original);
+}
+
+/** Why a point is still so far from the pointer. */
+function hindered(live: LiveModel, say: Say, off: string, by?: Hindrance): string {
+  if (by?.locked) return filled(say("live.out_of_reach_locked"), { off });
+  const [first] = by?.ended ?? [];
+  if (first === undefined) return filled(say("live.out_of_reach"), { off });
+  const { label, size, unit } = live.data.numbers[first]!;
+  const value = `${sixDigits(live.value(first) / size)} ${unit}`.trim();
+  return filled(say("live.out_of_reach_end"), { off, name: label, value });
 }
 
 /** What is called after each change: `first` in the next frame, the others one a frame after it, so that no frame has

@@ -51,9 +51,17 @@ export function stateLine(
 }
 
 /** What is wrong with a number, at the values of the moment. */
-function faultLine(live: LiveModel, { index, value = NaN }: Failure, faults: readonly string[]): string {
+function faultLine(
+  live: LiveModel,
+  { index, value = NaN, figures = [] }: Failure,
+  faults: readonly string[],
+): string {
   const { conditions, numbers } = live.data;
-  const text = filled(faults[index]!, { value: sixDigits(value / (conditions.sizes[index] ?? 1)) });
+  const others = figures.map((figure, k) => [`f${k}`, sixDigits(figure)] as const);
+  const text = filled(faults[index]!, {
+    value: sixDigits(value / (conditions.sizes[index] ?? 1)),
+    ...Object.fromEntries(others),
+  });
   // Numbers of the file stand by names in expressions.
   return text.replace(/n'\d+/g, (name) => {
     const i = numbers.findIndex((number) => number.name === name);

@@ -94,5 +94,7 @@ export interface ProgramData {
   links: string[];
   /** What each number that is checked must be, a digit each: 0 smaller than the largest, 1 not negative, 2 positive. */
   conditions: string;
+  /** The further figures of the conditions' sentences: of which condition, and the SI value of the unit. */
+  figures: (readonly [number, number])[];
   largest: number;
 }

@@ -12,8 +12,9 @@ export interface Failure {
   kind: "parameter" | "number" | "drive" | "group" | "higher";
   index: number;
   pose: number;
-  /** Of a number, its value (SI). */
+  /** Of a number, its value (SI), and the other figures of the sentence on it in their units. */
   value?: number;
+  figures?: readonly number[];
 }
 
 /** The signals of a mechanism at a set of parameters. A row is NaN where a pose can't be assembled. */
@@ -111,13 +112,20 @@ export class Mechanism {
     }));
     const constants = this.constants(parameters);
     const missing = parameters.findIndex((value) => !(Math.abs(value) < this.data.largest));
-    const checked = constants.subarray(this.data.turns.length, constants.length - 1);
+    const [first, count] = [this.data.turns.length, this.data.conditions.length];
+    const checked = constants.subarray(first, first + count);
     const wrong = this.wrongNumber(checked);
     if (missing >= 0 || wrong >= 0) {
       motion.failure =
         missing >= 0
           ? { kind: "parameter", index: missing, pose: 0 }
-          : { kind: "number", index: wrong, pose: 0, value: checked[wrong]! };
+          : {
+              kind: "number",
+              index: wrong,
+              pose: 0,
+              value: checked[wrong]!,
+              figures: this.figures(wrong, constants.subarray(first + count)),
+            };
       return motion;
     }
     motion.times = this.times = this.spread(constants.at(-1)!);
@@ -142,7 +150,8 @@ export class Mechanism {
 
   /** What is computed once for some parameters. */
   private constants(parameters: Float64Array): Float64Array {
-    const found = new Float64Array(this.data.turns.length + this.data.conditions.length + 1);
+    const { turns, conditions, figures } = this.data;
+    const found = new Float64Array(turns.length + conditions.length + figures.length + 1);
     this.tell(parameters);
     this.only("constants").pose([], found);
     return found;
@@ -199,6 +208,11 @@ export class Mechanism {
     for (const [kind, programs] of Object.entries(this.kinds)) {
       if (!OWN_PARAMETERS.has(kind)) for (const program of programs) program.parameters(parameters);
     }
+  }
+
+  /** The figures of a condition's sentence, of those of all. */
+  private figures(condition: number, values: Float64Array): number[] {
+    return this.data.figures.flatMap(([of, size], i) => (of === condition ? [values[i]! / size] : []));
   }
 
   private wrongNumber(values: Float64Array): number {

@@ -22,9 +22,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "For example 'springs: {{damper: {{from: A, to: B, damping: 200 N*s/m}}}}'.",
     ),
     "element.friction": (
-        "'{name}': friction of pins and slides is written under friction.",
+        "'{name}': friction of pins, of slides and of the contacts of cams and pins in slots is written under friction.",
         "For example 'friction: {{bearing_A: {{pin: A, radius: 10 mm, coefficient: 0.1}}, rail: {{slide: guide, length: "
-        "60 mm, coefficient: 0.12}}}}'. linkwright has no friction of cams and pins in slots yet.",
+        "60 mm, coefficient: 0.12}}, seat: {{contact: valve, coefficient: 0.08}}}}'; contact is the name of a cam or of a "
+        "pin in a slot.",
     ),
     "element.gear": (
         "'{name}': gears are written under joints, as gears.",

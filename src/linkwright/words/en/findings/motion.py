@@ -43,8 +43,13 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "pins {pins} in a pose near the start, under assembly: '{first}: [x, y]' and so on.",
     ),
     "assembly.not-found": (
-        "No assembly of {links} was found at the start near the positions sketched under assembly.",
+        "No assembly of {links} was found at the start near {where}.",
         "Check the lengths, and sketch the pins at their positions at the start of the motion.",
+    ),
+    "assembly.out-of-reach": (
+        "The point {point} is out of reach at the start: its prescribed position is {distance} from the pin {pin}, and {links} "
+        "{short}.",
+        "Change the position at the start, move the pin {pin}, or change the lengths of the links.",
     ),
     "assembly.no-mode": (
         "The links have no assembly mode at this pose of the drives.",

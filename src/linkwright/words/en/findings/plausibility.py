@@ -30,6 +30,11 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "The drive {name} turns at {speed} = {rpm} rpm: one turn takes {period}.",
         "Check the speed and its unit: a number alone is in {unit} here. For example, write 'speed: {example}'.",
     ),
+    "plausible.unloaded": (
+        "No link has a mass and nothing acts on the mechanism: all forces and torques are zero, those measured by {names} too.",
+        "Give links a mass and its distribution (mass, shape), or add loads, springs or friction. If only the motion is of "
+        "interest, no change is needed.",
+    ),
     "plausible.mirrored": (
         "The rule '{rule}' selects the assembly mode of {links} that is mirrored relative to the sketch (point "
         "{point}).",

@@ -43,8 +43,12 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "{pins} 在起始位姿附近的位置。",
     ),
     "assembly.not-found": (
-        "在 assembly 所给草图位置附近，未找到 {links} 在起始位姿的装配。",
+        "在{where}附近，未找到 {links} 在起始位姿的装配。",
         "检查各长度，并将草图中的铰链画在运动起始时的位置。",
+    ),
+    "assembly.out-of-reach": (
+        "点 {point} 在起始位姿不可达：给定位置距铰链 {pin} 为 {distance}，而 {links} {short}。",
+        "修改起始时的给定位置，移动铰链 {pin}，或修改杆长。",
     ),
     "assembly.no-mode": (
         "驱动处于该位置时，各构件没有装配模式。",

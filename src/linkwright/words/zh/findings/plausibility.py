@@ -29,6 +29,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "驱动 {name} 的转速为 {speed} = {rpm} rpm：转一圈需要 {period}。",
         "检查转速及其单位：此处不带单位的数值按 {unit} 读取。例如写“speed: {example}”。",
     ),
+    "plausible.unloaded": (
+        "各构件均无质量，机构也不受任何作用力：所有力和力矩均为零，测量项 {names} 也为零。",
+        "为构件给出质量及其分布（mass、shape），或添加载荷、弹簧或摩擦。若只关心运动，则无需修改。",
+    ),
     "plausible.mirrored": (
         "规则“{rule}”为 {links} 选定的装配模式与草图呈镜像关系（点 {point}）。",
         "若草图正确，删除该规则，或改写为“{other}”；若规则正确，则改正草图。",
