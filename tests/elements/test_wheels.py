@@ -12,11 +12,14 @@ import numpy as np
 import pytest
 
 from elements.wheels import BELTS, GEARS, RACKS, ROLLING, Wheels
+from helpers.compiled import compiled_from
 from helpers.expected import expected_angles, expected_forces, expected_motion
 from helpers.newton_euler import Array, State
 from helpers.outside import linkwright, table
 from helpers.plain import UNITS
 from helpers.toothed import Toothed
+from linkwright.results import Run, certify
+from linkwright.results.independent_check import Reports
 
 CASES: dict[str, Wheels] = {
     **{f"gears: {name}": case for name, case in GEARS.items()},
@@ -115,3 +118,26 @@ def test_the_cases_have_forces_of_both_signs(followed: Callable[[str], Followed]
         if any(row.endswith(".tangential") and v.min() < 0 < v.max() for row, v in followed(name)[2].items())
     ]
     assert len(both) >= len(CASES) - 2
+
+
+@pytest.mark.parametrize("turns", [0.4, 30.0, 500.0])
+def test_wheels_turn_many_times_between_two_samples(turns: float) -> None:
+    """The closure of what rolls is proven by turns that are counted from the rates, however few the samples are."""
+    data = {
+        "linkwright": 1,
+        "units": {"length": "m", "angle": "rad", "mass": "kg", "time": "s", "force": "N", "torque": "N*m"},
+        "links": {
+            "frame": {"points": {"A": [0, 0], "G": [0, -0.1]}},
+            "arm": {"points": {"A": [0, 0], "B": [0.05, 0]}},
+            "rod": {"points": {"B": [0, 0], "C": [0.3, 0]}},
+            "wheel": {"points": {"C": [0, 0], "P": [0.04, 0]}, "mass": 0.3, "com": [0.01, 0], "inertia": 0.02},
+        },
+        "joints": {"rim": {"rolling": ["wheel", "frame"], "centre": "C", "radius": 0.04, "on_line": "G at 0 rad"}},
+        "assembly": {"B": [0.05, 0], "C": [0.34, -0.06], "P": [0.34, -0.02]},
+        "drives": {"motor": {"turns": "arm", "on": "frame", "speed": 5, "start": 0}},
+    }
+    run = Run(compiled_from(data), 0.0, 2 * np.pi * turns / 5, 20)
+    certificate = certify(run)
+    assert certificate.closure < 1e-9 and certificate.signals is not None and certificate.signals < 1e-9
+    reports = Reports(run.compiled, run.t)
+    assert np.diff(reports.turned("arm")) == pytest.approx(2 * np.pi * turns / 20, rel=1e-9)

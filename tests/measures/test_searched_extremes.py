@@ -10,8 +10,12 @@ import mpmath
 import numpy as np
 import pytest
 
+import linkwright as lw
+from helpers.examples import UNITS as METRES
 from linkwright.enclosures.intervals import Intervals, exp
 from linkwright.measures.germs import Germ
+from linkwright.model.document import parse_document
+from linkwright.reductions import ProofKind
 from measures.test_germs import s as series
 from studies.models import UNITS, job_of
 
@@ -196,3 +200,47 @@ def test_intervals_past_the_largest_number_are_bounded_from_inside() -> None:
     assert 1e308 < found.low < math.inf
     assert found.high == math.inf
     assert (1.0 / (1.0 + found)).high < 1e-300
+
+
+@pytest.mark.parametrize("exponent", [3, 4, 5, 6, 7])
+def test_a_peak_beside_a_change_point_of_a_group_solved_by_newton(exponent: int) -> None:
+    """A pin passes the pivot of the slotted lever that it turns at 10^-k m: the lever turns by half a turn in 10^-k of
+    the time, and its acceleration grows with the square of that."""
+    r, c, speed, start = 0.1 + 10.0**-exponent, 0.1, 2.0, 0.5
+    data = slotted_lever(r, c, start, speed)
+    (found,) = lw.run(parse_document(data)).outcomes["cycle"].measures
+    # The second derivative of atan2(r sin a + c, r cos a) by the angle x past the pivot is r c (r^2 - c^2) sin x over
+    # the square of D = (r - c)^2 + 4 r c sin^2(x/2); its largest value is looked for on a fine grid about the pivot.
+    x = np.linspace(0.0, 40.0, 400_001) * (r - c) / c
+    distance = (r - c) ** 2 + 4 * r * c * np.sin(x / 2) ** 2
+    peak = speed**2 * float((r * c * (r * r - c * c) * np.sin(x) / distance**2).max())
+    assert [one.value for one in found.found] == pytest.approx([-peak, peak], rel=1e-6)
+    assert {one.grade.kind for one in found.found if one.grade} == {ProofKind.ENCLOSED}
+
+
+def slotted_lever(r: float, c: float, start: float, speed: float) -> dict[str, Any]:
+    """A crank of radius r whose pin turns a slotted lever about a pivot at c below the crank's (m)."""
+    at = np.array([r * math.cos(start), r * math.sin(start) + c])
+    tip = 0.4 * at / np.hypot(*at) - [0, c]
+    return {
+        "linkwright": 1,
+        "units": dict(METRES),
+        "links": {
+            "frame": {"points": {"O": [0, 0], "C": [0, -c]}},
+            "crank": {"points": {"O": [0, 0], "B": [r, 0]}},
+            "lever": {"points": {"C": [0, 0], "D": [0.4, 0]}},
+        },
+        "joints": {"slot": {"pin_in_slot": ["crank", "lever"], "pin": "B", "straight": "C at 0 rad"}},
+        "assembly": {"D": [float(tip[0]), float(tip[1])]},
+        "drives": {"motor": {"turns": "crank", "on": "frame", "speed": speed, "start": start}},
+        "measures": {"alpha": {"extremes": "lever.alpha"}},
+        "studies": {"cycle": {"duration": 4, "samples": 100}},
+    }
+
+
+def test_where_the_pin_meets_the_pivot_the_motion_stops() -> None:
+    """There the lever turns freely about the pin, and any way on is as good: the finding has the time and the value."""
+    job = lw.run(parse_document(slotted_lever(0.1, 0.1, 0.5, 2.0)))
+    (finding,) = job.found
+    assert (finding.code, job.exit_code) == ("motion.stuck", 1)
+    assert f"{(1.5 * math.pi - 0.5) / 2:.6g} s" in finding.what and f"{1.5 * math.pi:.6g} rad" in finding.what

@@ -129,6 +129,18 @@ class Determinant(GroupRow):
 
 
 @dataclass(frozen=True)
+class Sharpness(GroupRow):
+    """The determinant of a higher group's closures by its coordinates, in their units: rates are divided by it. It is
+    small too where a coordinate hardly moves its closures, as where a pin comes near the pivot of the lever that it
+    turns, which the margin to singularity, being over the lengths of the columns, doesn't tell."""
+
+    called = "sharpness:{group}"
+
+    def expression(self, view: View) -> Scalar:
+        return view.motion.higher_group(self.group).factor.determinant()
+
+
+@dataclass(frozen=True)
 class HigherGroupRow(GroupRow):
     """The entry ``index`` of something of a higher group."""
 

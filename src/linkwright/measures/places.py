@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from linkwright.data_classes import dataclass
 from linkwright.expressions.language import Call, Name, Node, nodes
-from linkwright.graph.rows import Determinant, ReachRow, Row, spans
+from linkwright.graph.rows import Determinant, ReachRow, Row, Sharpness, spans
 from linkwright.measures.features import Feature, Find, ZeroKind, features
 from linkwright.measures.round_off import DIGITS, LITTLE, spreads
 from linkwright.measures.search import Rates, RunPieces, turning, zeros
@@ -170,7 +170,7 @@ class BreakPlaces:
         crossed = zeros(rates, pieces, turning_points, run.grid, clear)
         times = np.linspace(run.start, run.stop, 257)
         usual = np.abs(rates(times)[0])
-        still = [bool(np.ptp(row) <= STILL) for row in usual[: len(rows)]]  # these are normalised
+        still = [bool(np.ptp(row) <= STILL * np.nanmax(row, initial=0.0)) for row in usual[: len(rows)]]
         unclear = still + vague(run, trees, times)
         for i, row in enumerate([*rows, *some]):
             known = usual[i][np.isfinite(usual[i])]
@@ -301,7 +301,7 @@ def _groups(run: Run) -> list[Row]:
     """The rows that vanish where a group is singular: rates and forces are divided by them."""
     structure = run.compiled.structure
     rows = [(ReachRow if group.modes > 1 else Determinant)(group.label) for group in structure.groups]
-    return [*rows, *spans(structure), *(Determinant(higher_group.label) for higher_group in structure.higher_groups)]
+    return [*rows, *spans(structure), *(Sharpness(higher_group.label) for higher_group in structure.higher_groups)]
 
 
 def _acting(run: Run) -> Iterator[Node]:

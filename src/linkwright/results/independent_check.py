@@ -27,6 +27,11 @@ from linkwright.structure import FRAME
 
 Array = NDArray[np.float64]
 
+PART_OF_TURN = 1.0
+"""Between two times at which turns are counted a link turns by no more than this (rad) ..."""
+HALVINGS, MOST_TIMES = 4, 1 << 18
+"""... which is looked at so often, with so many times at most."""
+
 
 class Reports:
     """What a compiled mechanism reports at times ``t`` (s), in SI; vectors have shape (2, times)."""
@@ -184,16 +189,38 @@ class Reports:
     def turned(self, link: str) -> Array:
         """A link's angle (rad) over all turns since the first time: the reported rates tell the turns, the reported
         directions the rest."""
-        x, y = self.rotated(link, (1.0, 0.0))
-        angle = np.arctan2(y, x) + np.zeros(self.count)
         if link == FRAME:
-            return np.asarray(angle)
-        omega, alpha, step = self.rows[f"{link}.omega"], self.rows[f"{link}.alpha"], np.diff(self.t)
+            x, y = self.rotated(link, (1.0, 0.0))
+            return np.asarray(np.arctan2(y, x) + np.zeros(self.count))
+        t, at = self._between(link)
+        c, s, omega, alpha = self.compiled.possible_rows(
+            [BodyPlace(link, "cos"), BodyPlace(link, "sin"), f"{link}.omega", f"{link}.alpha"], t
+        )
+        angle, step = np.arctan2(s, c), np.diff(t)
         # Euler and Maclaurin's rule: the trapezium less its error by the slopes at its ends.
         about = step * (omega[1:] + omega[:-1]) / 2 - step**2 * np.diff(alpha) / 12
         about = np.where(np.isfinite(about), about, 0.0)
         turned = about + wrapped(np.diff(angle) - about)
-        return np.asarray(angle[:1] + np.concatenate([[0.0], np.cumsum(turned)]))
+        return np.asarray(angle[:1] + np.concatenate([[0.0], np.cumsum(turned)]))[at]
+
+    def _between(self, link: str) -> tuple[Array, NDArray[np.intp]]:
+        """Times (s) so close that a link turns by no more than a part of a turn from one to the next, and which of them
+        are those of the reports."""
+        t, whole = self.t, np.arange(self.count)
+        for _ in range(HALVINGS):
+            omega = np.abs(self.compiled.possible_rows([f"{link}.omega"], t)[0])
+            far = np.diff(t) * np.fmax(omega[1:], omega[:-1])
+            parts = np.ceil(np.where(np.isfinite(far), far, 0.0) / PART_OF_TURN).astype(int)
+            if parts.max(initial=0) <= 1 or t.size + parts.sum() > MOST_TIMES:
+                break
+            middles = [
+                np.linspace(a, b, count + 1)[1:-1]
+                for a, b, count in zip(t[:-1], t[1:], parts, strict=True)
+                if count > 1
+            ]
+            t = np.unique(np.concatenate([t, *middles]))
+            whole = np.searchsorted(t, self.t)
+        return t, whole
 
     def table(self, name: str, argument: Array) -> Array:
         """What a table says of arguments; NaN outside of it."""
