@@ -205,8 +205,11 @@ def _trig(reader: _FormReader, forms: list[DimensionForm], node: Call) -> Dimens
 
 
 def _either(a: DimensionForm, b: DimensionForm) -> DimensionForm:
-    """The form of two that are alike: the one whose power of angle means something."""
-    return b if a.turns and not b.turns else a
+    """The form of two that are alike: the one whose power of angle means something, then the one that is known, so that
+    a number before ``(1 + cos(x))`` counts like one before ``cos(x)``."""
+    if a.turns != b.turns:
+        return b if a.turns else a
+    return b if a.unknowns and not b.unknowns else a
 
 
 def _same(reader: _FormReader, forms: list[DimensionForm], node: Call) -> DimensionForm:

@@ -17,11 +17,14 @@ from linkwright.enclosures.intervals import Intervals, lift
 from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal
 from linkwright.notation import Jet
 from linkwright.results import Run
+from linkwright.results.margins import LEAST_MARGIN, margins
 
 Array = NDArray[np.float64]
 
 LITTLE = 1e-13
 """What signals are off by at most, over their own size or what is usual of their dimension ..."""
+INTERPOLATED = 1e-11
+"""... where they are interpolated between poses beside a change point ..."""
 DIGITS = 2e-15
 """... and what those of positions usually are."""
 COARSER, SHRINKS, TINY = 100.0, 0.2, 1e-300
@@ -30,8 +33,9 @@ share the more, at least."""
 WHOLE = Intervals(-np.inf, np.inf)
 
 
-def spreads(run: Run, trees: Sequence[Node], t: Array, little: float = LITTLE) -> list[Intervals]:
-    """The values (SI) that round-off can't tell from those of each expression at times (s): (times,) each."""
+def spreads(run: Run, trees: Sequence[Node], t: Array, little: Array | float = LITTLE) -> list[Intervals]:
+    """The values (SI) that round-off can't tell from those of each expression at times (s): (times,) each. ``little``
+    is what signals are off by, at all times or at each."""
     names = run.signals_of(trees)
     values = run.evaluate(names, t) if names else np.empty((0, t.size))
     sizes = run.usual(run.dimension(name) for name in names)
@@ -55,13 +59,24 @@ def vanishing(run: Run, trees: Sequence[Node], t: Array) -> list[bool]:
     """Which expressions are zero but for round-off at all times (s): zero can't be told from their values, and what
     can't shrinks with the digits of the signals. Values that any digits leave open, such as the angle of two numbers
     that are round-off, aren't zero."""
-    found = []
-    for fine, coarse in zip(spreads(run, trees, t), spreads(run, trees, t, COARSER * LITTLE), strict=True):
+    little, found = _lost(run, t), []
+    for fine, coarse in zip(spreads(run, trees, t, little), spreads(run, trees, t, COARSER * little), strict=True):
         with np.errstate(all="ignore"):
             width, wider = fine.high - fine.low, coarse.high - coarse.low
             shrinks = (width <= SHRINKS * wider) | (width <= TINY)
         found.append(bool((fine.contains(0.0) & np.isfinite(wider) & shrinks).all()))
     return found
+
+
+def _lost(run: Run, t: Array) -> Array | float:
+    """What signals are off by at times (s): more beside the change points through which a motion is carried, where a
+    system that is nearly singular spreads the round-off of its forces, and in their bands, where these are
+    interpolated."""
+    passages = run.compiled.passages
+    if not passages.every:
+        return LITTLE
+    lost = LITTLE / np.clip(margins(run, t).min(axis=0, initial=1.0), LEAST_MARGIN, 1.0) ** 2
+    return np.asarray(np.where(passages.outside(t), lost, np.maximum(lost, INTERPOLATED)))
 
 
 def reachable(run: Run, tree: Node) -> tuple[float, float]:

@@ -12,6 +12,9 @@ from linkwright.results.stationary import magnitude, stationary
 
 Array = NDArray[np.float64]
 
+LEAST_MARGIN = 1e-3
+"""The smallest margin to singularity that excuses lost digits."""
+
 
 @dataclass(frozen=True)
 class Nearest:

@@ -13,7 +13,7 @@ from linkwright.expressions.language import Call, Name, parse
 from linkwright.expressions.units import Dimension
 from linkwright.model.signals import BREAKAWAY, POWER, TOTALS, Signal, Signals
 from linkwright.results.independent_check import Reports
-from linkwright.results.margins import margins
+from linkwright.results.margins import LEAST_MARGIN, margins
 from linkwright.results.quadrature import panel_points
 from linkwright.results.reported_rates import rates
 from linkwright.results.restated_signals import restated
@@ -31,8 +31,6 @@ RESOLVED = 1e-11
 """Two quadratures of a rate agree so closely, relative to its scale, where they are trusted."""
 ROUND_OFF = 64 * np.finfo(float).eps
 """What the change of a signal loses, relative to its size or the mechanism's; more near a singular pose."""
-LEAST_MARGIN = 1e-3
-"""The smallest margin to singularity that excuses lost digits."""
 FAINT = 1e-3
 """The least scale of a signal, over that of the mechanism's length, speed and forces."""
 GOLDEN = (np.sqrt(5.0) - 1) / 2
