@@ -299,9 +299,10 @@ class Signals:
     def all(self) -> list[Signal]:
         """Every signal of the mechanism that is determined, motion first, then forces; poles, one for any two links,
         only by name."""
-        return [signal for signal in self._all() if not self.is_undetermined(signal)]
+        return [signal for signal in self.possible() if not self.is_undetermined(signal)]
 
-    def _all(self) -> list[Signal]:
+    def possible(self) -> list[Signal]:
+        """The same with those of reactions that statics doesn't determine."""
         m = self.mechanism
         found = [Signal("point", (p,), a, d) for p in self.links_of_points for a, d in POINT.items()]
         found += [Signal("link", (link,), a, d) for link in m.links if link != FRAME for a, d in LINK.items()]

@@ -66,7 +66,8 @@ def carry_through_change_points(run: Run) -> tuple[Run, list[Finding]]:
             if failed:
                 return here, failed
             touches += [touch for row in own for touch in _touches(here, row)]
-    signals = [s.text for s in run.compiled.quantities.signals.all() if s.attribute != "arm"]
+    # Of reactions that aren't determined too: of their values in some state determined ones are sums.
+    signals = [s.text for s in run.compiled.quantities.signals.possible() if s.attribute != "arm"]
     return _carry_through_touches(run, touches, signals)
 
 
@@ -79,9 +80,10 @@ def warnings(run: Run) -> list[Finding]:
             found.append(
                 _finding(run, "motion.starts-at-change-point", passage, "warning", rules=Joined(rules, CLAUSES))
             )
-        if passage.poles:
-            signals = _listed(list(passage.poles))
-            found.append(_finding(run, "motion.unbounded-forces", passage, "warning", signals=signals))
+        signals = run.compiled.quantities.signals
+        poles = [name for name in passage.poles if not signals.is_undetermined(run.compiled.graph.signal(name))]
+        if poles:
+            found.append(_finding(run, "motion.unbounded-forces", passage, "warning", signals=_listed(poles)))
     return found
 
 

@@ -110,8 +110,8 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     "motion.unbounded-forces": (
         "At the change point of {group} at t = {time} s ({drive} = {value} {unit}) forces grow without limit, "
         "because no link can turn another there: {signals}. They have no value at that instant.",
-        "Transmit the load by other means: a third crank, a flywheel or gears take a parallelogram through its "
-        "change point.",
+        "Transmit the load by other means: a third crank out of line with these two, a flywheel or gears take a "
+        "parallelogram through its change point.",
     ),
     "motion.near-change-point": (
         "At t = {time} s ({drive} = {value} {unit}) {group} passes close to a change point (determinant "

@@ -97,7 +97,7 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     "motion.unbounded-forces": (
         "在 t = {time} s（{drive} = {value} {unit}）时，杆组 {group} 位于变点，此时任一构件都不能带动另一构件转动，以下各力（矩）无限增大："
         "{signals}。它们在该时刻没有值。",
-        "用其他方式传递载荷：第三个曲柄、飞轮或齿轮可使平行四边形机构通过变点。",
+        "用其他方式传递载荷：与这两个曲柄不共线的第三个曲柄、飞轮或齿轮可使平行四边形机构通过变点。",
     ),
     "motion.near-change-point": (
         "在 t = {time} s（{drive} = {value} {unit}）时，杆组 {group} 的运动经过变点附近（行列式为 {determinant}）："
