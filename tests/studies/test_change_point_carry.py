@@ -462,3 +462,38 @@ def test_a_wrong_extreme_beside_a_change_point_is_still_seen() -> None:
         low = replace(top, value=top.value * (1 - 1e-9))
         wrong = [replace(result, found=(*result.found[:-1], low))]
         assert (misfit(measurer, wrong) or 0.0) > 1e-9
+
+
+@pytest.mark.parametrize("driven", ["w1", "w2", "w3"])
+@pytest.mark.parametrize("start", [30, 90])
+def test_a_third_crank_in_line_goes_along_over_a_full_turn(driven: str, start: int) -> None:
+    """Three coupled wheels, whichever is driven: all turn alike. The rod's weight hangs on the middle pin, so that in line
+    only the middle wheel can hold it: driven at an end, forces grow without bound there, and none is reported at that
+    instant."""
+    angle = math.radians(start)
+    pins = {f"K{i + 1}": [149 * i + 30 * math.cos(angle), 30 * math.sin(angle)] for i in range(3)}
+    wheels = {
+        f"w{i}": {"points": {f"O{i}": [0, 0], f"K{i}": [30, 0]}, "mass": 2, "com": [0, 0], "inertia": 4900}
+        for i in (1, 2, 3)
+    }
+    rod = {"points": {"K1": [0, 0], "K2": [149, 0], "K3": [298, 0]}, "mass": 1, "com": [149, 0], "inertia": 1000}
+    data = {
+        "linkwright": 1,
+        "units": {"length": "mm", "angle": "deg", "mass": "kg", "time": "s", "force": "N", "torque": "N*m"},
+        "gravity": "earth",
+        "links": {"frame": {"points": {f"O{i + 1}": [149 * i, 0] for i in range(3)}}, **wheels, "rod": rod},
+        "assembly": pins,
+        "drives": {"motor": {"turns": driven, "on": "frame", "speed": "60 rpm", "start": f"{start} deg"}},
+        "studies": {"cycle": {"turns": "1 motor", "samples": 36, "through": "keep"}},
+    }
+    job = job_of(data)
+    assert job.exit_code == 0
+    result = job.outcomes["cycle"].result
+    assert result.certificate.equilibrium < 1e-9
+    for wheel in wheels:
+        assert result[f"{wheel}.omega"] == pytest.approx(2 * math.pi, rel=1e-9)
+    # The power of the weight of the rod, which moves along a circle of 30 mm.
+    torque = 9.80665 * 0.03 * np.cos(angle + 2 * math.pi * result.t)
+    known = np.isfinite(result["motor.torque"])
+    assert known.sum() >= 35
+    assert result["motor.torque"][known] == pytest.approx(torque[known], abs=1e-9)

@@ -157,11 +157,18 @@ class SpareEquations:
                     yield Candidate(Release(c.joint, c.kind, c.links, part), rows)
 
     def bars(self) -> Iterator[Candidate]:
-        """Pins of links with two joints, which hold their distance no more."""
-        for joint, link, first in self._pinned():
-            for own in (link, first):
-                if len(self._joint_points(own)) == 2:
-                    yield from self._across(joint, (first, link), own, False)
+        """Pins of links with two joints, which hold their distance no more; those of links that drives move last, as
+        these give the motion to the others."""
+        moved = {mover.link for mover in self.topology.mechanism.movers.values()}
+        found = [
+            (own in moved, one)
+            for joint, link, first in self._pinned()
+            for own in (link, first)
+            if len(self._joint_points(own)) == 2
+            for one in self._across(joint, (first, link), own, False)
+        ]
+        for last in (False, True):
+            yield from (one for of_drive, one in found if of_drive is last)
 
     def pins(self) -> Iterator[Candidate]:
         """Pins whole, then without what they hold along some direction or across it."""
