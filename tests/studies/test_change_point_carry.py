@@ -467,9 +467,9 @@ def test_a_wrong_extreme_beside_a_change_point_is_still_seen() -> None:
 @pytest.mark.parametrize("driven", ["w1", "w2", "w3"])
 @pytest.mark.parametrize("start", [30, 90])
 def test_a_third_crank_in_line_goes_along_over_a_full_turn(driven: str, start: int) -> None:
-    """Three coupled wheels, whichever is driven: all turn alike. The rod's weight hangs on the middle pin, so that in line
-    only the middle wheel can hold it: driven at an end, forces grow without bound there, and none is reported at that
-    instant."""
+    """Three coupled wheels, whichever is driven: all turn alike. The rod's weight hangs on the middle pin, so that in
+    line only the middle wheel can hold it: driven at an end, forces grow without bound there, and none is reported at
+    that instant."""
     angle = math.radians(start)
     pins = {f"K{i + 1}": [149 * i + 30 * math.cos(angle), 30 * math.sin(angle)] for i in range(3)}
     wheels = {
