@@ -3,6 +3,7 @@ dimensions that contradict each other with the size of the contradiction."""
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -17,6 +18,7 @@ from linkwright.model.document import Document
 from linkwright.results.certificate import certify
 from linkwright.results.run import Run
 
+EXAMPLES = Path(__file__).parents[2] / "examples"
 UNITS = {"length": "mm", "angle": "deg", "time": "s"}
 
 
@@ -459,3 +461,24 @@ def test_a_singular_pose_of_what_remains_is_told_as_that() -> None:
     )
     assert [f.code for f in job.found] == ["motion.singular", "motion.redundant-joints"]
     assert job.exit_code == 1
+
+
+OTHER_ERRORS = {
+    "measure": ("{min: ram.force}", "{min: rom.force}"),
+    "load": ("on: platform, at: C, force: [0, -1000]", "on: platfrom, at: C, force: [0, -1000]"),
+    "unit": ("force: [300, 0]", "force: [300 mm, 0]"),
+    "parameter": ("force: [300, 0]", "force: [force, 0]"),
+    "point": ("at: C, force: [300, 0]", "at: Z, force: [300, 0]"),
+}
+"""A slip in the file of a redundant mechanism, by what it is in."""
+
+
+@pytest.mark.parametrize("slip", OTHER_ERRORS)
+def test_a_slip_in_a_redundant_mechanism_is_told_alone(slip: str, tmp_path: Path) -> None:
+    """Whether constraints in excess follow from the others, only sound numbers tell: nothing is said of them before."""
+    text = (EXAMPLES / "guided_scissor_lift.yaml").read_text(encoding="utf-8")
+    assert text.count(OTHER_ERRORS[slip][0]) == 1
+    file = tmp_path / "lift.yaml"
+    file.write_text(text.replace(*OTHER_ERRORS[slip]), encoding="utf-8")
+    found = [finding for finding in lw.check(file) if finding.severity == "error"]
+    assert found and not [f.code for f in found if f.code.startswith("structure.")]

@@ -30,6 +30,7 @@ from linkwright.model.model_file import read_model_file
 from linkwright.model.named_numbers import NamedNumbers
 from linkwright.model.quantities import Quantities
 from linkwright.structure import Structure
+from linkwright.structure.refusals import EXCESS
 
 
 @dataclass
@@ -87,6 +88,8 @@ def _with_numbers(
     stated, wrong = laws(numbers, folder, named=not unnamed)
     findings = [*unnamed, *unclear, *wrong]
     found, unsolved = structure(numbers, stated, named=not unnamed, redundancy=driven and not findings)
+    if driven and findings:  # what is in excess may follow from the rest, which sound numbers alone tell
+        unsolved = [finding for finding in unsolved if finding.code not in EXCESS]
     said = [f for f in unsolved if f.severity != "error"]
     wrong = [*findings, *(f for f in unsolved if f.severity == "error")]
     return Prepared(spelled, numbers, found, stated, *map(spelled.with_file_paths, (wrong, said)))

@@ -16,6 +16,8 @@ from linkwright.structure.topology import PIN, Connection, Topology
 
 HARDLY = 0.5
 """The share of two names that agree, where what is left over speaks for one pin: C0 and CX."""
+EXCESS = ("structure.overconstrained", "structure.redundant")
+"""The findings on constraints in excess, which may follow from the others: the mechanism is redundant then."""
 MANY = 12
 """The most loose links that are all named; of more, those at which the free motions begin."""
 
