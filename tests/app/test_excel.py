@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from codecs import BOM_UTF8
 from pathlib import Path
 
@@ -103,3 +104,38 @@ def test_a_result_with_the_mark_is_a_table_of_another_model(model: Path, tmp_pat
     text = text[: text.index("studies:")] + "studies:\n  cycle: {duration: 1 s, samples: 12}\n"
     (tmp_path / "表.yaml").write_text(text, "utf-8")
     call("run", tmp_path / "表.yaml", "--out", tmp_path / "out")
+
+
+ENGLISH = {
+    "t [s]": "time, as signals are called",
+    "摇杆.angle": "a signal",
+    "曲柄长": "a parameter",
+    "摆幅": "a measure",
+    "d(": "a sensitivity",
+}
+"""Beginnings of heads that have no words of the program, or only behind a name."""
+
+
+@pytest.mark.parametrize("language", ["zh", "en"])
+def test_heads_are_in_the_language(model: Path, tmp_path: Path, language: str) -> None:
+    """With the mark for spreadsheets, the columns that a study brings itself have Chinese heads; their units, the names
+    of the model and all values stay. In English, and without the mark, the heads are those of programs."""
+    folder, plain = tmp_path / "out", tmp_path / "plain"
+    call("--lang", language, "run", model, "-o", folder, "--excel")
+    call("--lang", language, "run", model, "-o", plain)
+    files = [name for name in ("accuracy.csv", "accuracy_bands.csv", "sweep.csv") if (folder / name).exists()]
+    assert len(files) == 3
+    for name in files:
+        mine, theirs = ((each / name).read_text("utf-8-sig").split("\n") for each in (folder, plain))
+        assert mine[1:] == theirs[1:]
+        if language == "en":
+            assert mine == theirs
+            continue
+        heads = list(zip(mine[0].split(","), theirs[0].split(","), strict=True))
+        assert len([1 for head, before in heads if head != before]) >= 2, name
+        for head, before in heads:
+            assert head.partition(" [")[2] == before.partition(" [")[2]
+            if not before.startswith(tuple(ENGLISH)):
+                assert re.search("[\u4e00-\u9fff]", head), (name, head)
+            elif " " in before.partition(" [")[0]:
+                assert re.search("[\u4e00-\u9fff]", head.partition(" ")[2]), (name, head)

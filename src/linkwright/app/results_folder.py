@@ -20,6 +20,7 @@ from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
 
+from linkwright.app.csv_heads import worded
 from linkwright.app.manifest import NAME, OUTDATED, CommandFiles, Entry, Manifest, Model, State, read_manifest
 from linkwright.blocks.lock import Lock
 from linkwright.findings import Finding, Joined, ModelError
@@ -160,6 +161,8 @@ class ResultsFolder:
 
     def write(self, name: str, content: str | bytes) -> None:
         """Write a file, whole or not at all."""
+        if self._excel and name.endswith(".csv") and isinstance(content, str):
+            content = worded(name, content)
         data = content.encode() if isinstance(content, str) else content
         if self._commented and name.endswith(".csv"):
             data = self._comments().encode() + data

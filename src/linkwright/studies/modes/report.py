@@ -17,6 +17,7 @@ from linkwright.notation.hull import hull
 from linkwright.presentation.blocks import Block, Bullets, Card, Cards, Section, Sentences, StudyReport
 from linkwright.structure import FRAME
 from linkwright.studies.modes.outcome import ModesOutcome
+from linkwright.studies.sides import side_sentences
 
 
 class ModeEntry(TypedDict):
@@ -96,7 +97,7 @@ def modes_data(outcome: ModesOutcome) -> ModesData:
         "drive": found.drive,
         "drive_unit": unit,
         "length_unit": length,
-        "sentences": list(_sentences(outcome)),
+        "sentences": [*_sentences(outcome), *side_sentences(line for mode in modes for line in mode["assembly"])],
         "modes": modes,
         "circuits": [_circuit(outcome, i, scale) for i in range(len(found.circuits))],
     }

@@ -11,6 +11,7 @@ from linkwright.findings import Joined, Said, Text
 from linkwright.presentation.blocks import Block, Charts, Section, Sentences, StudyReport, Table, table
 from linkwright.presentation.cells import Cell, NumberCell, Numbers, Unit, numbers, percent
 from linkwright.presentation.json_numbers import known
+from linkwright.studies.sides import side_sentences
 from linkwright.studies.workspace.certificate import RegionCertificate
 from linkwright.studies.workspace.doubts import sized
 from linkwright.studies.workspace.outcome import Workspace, WorkspaceOutcome
@@ -132,6 +133,7 @@ def workspace_sentences(outcome: WorkspaceOutcome) -> list[Text]:
     if rough > outcome.chord:
         told.append(Said("workspace.rough", rough=f"{rough / size:.2g}", unit=unit))
     told += _proven([one.region.certificate for one in outcome.regions], unit, size)
+    told += side_sentences(one.mode for one in outcome.regions)
     return [*told, *(text for part in section_documents(outcome) for text in part.sentences(outcome))]
 
 

@@ -111,6 +111,8 @@ TEXTS: dict[str, str] = {
     "term.kernel-missing": "compiling it first would be faster, but llvmlite isn't installed (pip install linkwright[fast]).",
     "term.kernel-wished": "as requested.",
     # Assembly modes and circuits.
+    "assembly.side.left": "'{rule}': looking from {first} to {second}, {point} is on the left; the other rules likewise.",
+    "assembly.side.right": "'{rule}': looking from {first} to {second}, {point} is on the right; the other rules likewise.",
     "modes.all": "Assembly modes at this position of the drives: {count}. The list is complete.",
     "modes.found": "Assembly modes found at this position of the drives: {count}. There may be more.",
     "modes.open": "Found by a search from many starting points; not proven to be complete: {groups}.",

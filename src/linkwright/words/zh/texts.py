@@ -110,6 +110,8 @@ TEXTS: dict[str, str] = {
     "term.kernel-missing": "先编译会更快，但未安装 llvmlite（pip install linkwright[fast]）。",
     "term.kernel-wished": "按设置选用。",
     # Assembly modes and circuits.
+    "assembly.side.left": "“{rule}”：从 {first} 看向 {second}，{point} 在左侧；其余规则同理。",
+    "assembly.side.right": "“{rule}”：从 {first} 看向 {second}，{point} 在右侧；其余规则同理。",
     "modes.all": "驱动在此位置时共有 {count} 种装配模式，已全部列出。",
     "modes.found": "驱动在此位置时找到 {count} 种装配模式，可能还有其他模式。",
     "modes.open": "由多个起始点搜索得到，未证明已找全：{groups}。",
