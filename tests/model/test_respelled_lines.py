@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Term
 from linkwright.model.respelled_lines import LONGEST, ROUNDS, read_respelled
 from model.given import FEEDER, findings
 from model.given import changed as changed_in
@@ -87,3 +87,24 @@ def test_a_text_full_of_them_is_read_a_bounded_number_of_times() -> None:
     told = read_respelled(text, read(text), read)
     assert len(reads) <= 2 * ROUNDS + 1 and len(told) == ROUNDS + 1
     assert read_respelled("x" * (LONGEST + 1), [Finding("file.yaml", line=1)], read)[0].code == "file.yaml"
+
+
+@pytest.mark.parametrize(
+    ("line", "wide"),
+    [
+        ("AB: 155", "AB： 15.5 厘米"),
+        ("AB: 155", "AB：155毫米"),
+        ("speed: -40 rpm", "speed： -40 转／分"),
+        ("  crank:", "  曲柄（1）："),
+    ],
+)
+def test_what_is_proposed_is_valid_itself(line: str, wide: str) -> None:
+    """Put into the line, the proposed text leaves nothing to be told of it but what follows from another name."""
+    text = BLOCK.replace(line, wide, 1)
+    assert text != BLOCK
+    (told,) = [finding for finding in findings(text) if finding.code == "file.wide"]
+    hint = told.data["hint"]
+    assert isinstance(hint, Term)
+    mended = text.replace(str(told.data["given"]), str(hint.data["text"]), 1)
+    left = [f for f in findings(mended) if f.line == told.line]
+    assert left == [], [str(finding) for finding in left]

@@ -9,6 +9,8 @@ import re
 
 from linkwright.words import known, say
 
+PROGRAMS = "en"
+"""The language near which heads are: they stay as programs know them."""
 _HEAD = re.compile(r"(.*?)( \[[^\[\]]*\])?")
 
 

@@ -20,13 +20,13 @@ from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
 
-from linkwright.app.csv_heads import worded
+from linkwright.app.csv_heads import PROGRAMS, worded
 from linkwright.app.manifest import NAME, OUTDATED, CommandFiles, Entry, Manifest, Model, State, read_manifest
 from linkwright.blocks.lock import Lock
 from linkwright.findings import Finding, Joined, ModelError
 from linkwright.model.origin import Origin
 from linkwright.model.output_files import make_folder, write_aside
-from linkwright.words import say
+from linkwright.words import language, say
 
 LOCK = ".linkwright.lock"
 STUDIES = "studies"
@@ -161,7 +161,7 @@ class ResultsFolder:
 
     def write(self, name: str, content: str | bytes) -> None:
         """Write a file, whole or not at all."""
-        if self._excel and name.endswith(".csv") and isinstance(content, str):
+        if self._excel and language() != PROGRAMS and name.endswith(".csv") and isinstance(content, str):
             content = worded(name, content)
         data = content.encode() if isinstance(content, str) else content
         if self._commented and name.endswith(".csv"):

@@ -32,8 +32,10 @@ def unknown_point(path: tuple[Any, ...], link: str, point: str, known: Iterable[
 class Near(Term):
     """A sentence on a name that isn't known; ``likely`` are the known ones that may be meant, the likeliest first."""
 
-    def __init__(self, key: str, names: Iterable[str], likely: Iterable[str], known: Iterable[str] = ()) -> None:
-        super().__init__(key, names=Joined(names), known=Joined(known))
+    def __init__(
+        self, key: str, names: Iterable[str], likely: Iterable[str], known: Iterable[str] = (), more: int = 0
+    ) -> None:
+        super().__init__(key, names=Joined(names), known=Joined(known), more=more)
         self.likely = tuple(likely)
 
 
@@ -51,7 +53,9 @@ def near(name: str, known: Iterable[str], listed: bool = False) -> Near:
         if listed and len(likely) < len(names) <= LISTED:
             return Near("near-one-of" if len(likely) == 1 else "near-some-of", likely, likely, names[:LISTED])
         return proposed(likely)
-    return Near("near-none" if names else "near-nothing", names[:LISTED], ())
+    if len(names) > LISTED:
+        return Near("near-many", names[:LISTED], (), more=len(names) - LISTED)
+    return Near("near-none" if names else "near-nothing", names, ())
 
 
 def _narrow(name: str) -> str:

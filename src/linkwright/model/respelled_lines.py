@@ -10,6 +10,8 @@ import re
 from collections.abc import Callable, Iterable
 
 from linkwright.expressions.full_width import BLANKS, TO_ASCII
+from linkwright.expressions.respelled_units import speed
+from linkwright.expressions.synonyms import unit_meant
 from linkwright.findings import Finding, Term
 
 ROUNDS = 6
@@ -28,6 +30,8 @@ _COLON = re.compile(r"((?:^|[{,])\s*[^\W\d]\w*):(?=[^\s:/])")
 _EQUALS = re.compile(r"^(\s*[^\W\d]\w*)\s*=\s*(?=[^\s=])")
 
 
+_KEY = re.compile(r"^(\s*[^\W\d]\w*)\(([\w .-]+)\)(?=\s*:)")
+_UNIT = re.compile(r"(\d\s*|\bunit:\s*)([一-鿿]+(?:/[一-鿿]+)?)(?=[\s,}\])]|$)")
 _LIST = re.compile(r"(?<=[:：,，[【])(\s*)（([^（）()]*)）")
 _LIMIT = re.compile(r"(?<=: )((?:[＞＜][＝=]?|[>＞＜<]＝)[^,，}｝\]\s]*(?: [^,，}｝\]\s]+)*)")
 _SIGNS = {code: meant for code, meant in TO_ASCII.items() if meant.strip()}
@@ -123,7 +127,21 @@ def _rewritten(line: str) -> tuple[str, str]:
         parts = [rule(meant[end:start]) for end, start in zip(ends, starts, strict=True)]
         changed = "".join(part + match.group() for part, match in zip(parts, kept, strict=False)) + parts[-1]
         code, meant = code or (name if changed != meant else ""), changed
-    return meant, code
+    return _valid(meant) if code else meant, code
+
+
+def _valid(line: str) -> str:
+    """A rewritten line with what is valid in place of what would be refused next: keys with brackets, units in
+    hanzi."""
+    line = _KEY.sub(lambda match: f"{match[1]}_{re.sub(r'[^0-9A-Za-z_]+', '_', match[2]).strip('_')}", line)
+    return _UNIT.sub(lambda match: f"{match[1]}{_unit(match[2])}", line)
+
+
+def _unit(word: str) -> str:
+    """A unit in hanzi as files write it, where it is known."""
+    one = f"1 {word}"
+    made = speed(one, ())
+    return made.removeprefix("1 ") if made != one else unit_meant(word) or word
 
 
 def _changed(line: str, other: str) -> str:

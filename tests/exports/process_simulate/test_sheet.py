@@ -149,3 +149,17 @@ def test_the_sheet_prints_on_one_page_and_copies(browser: Any, hinge: Any, tmp_p
     assert len(re.findall(rb"/Type\s*/Page\b(?!s)", printed)) == 1
     assert said == []
     context.close()
+
+
+@pytest.mark.parametrize("flipped", [[], ["A"]])
+def test_facts_count_as_the_table_of_joints_does(flipped: list[str]) -> None:
+    """Where the transmission angle is least, and the axis of the opening: values of the driving joint within its
+    limits, in either sense; and each point of the picture of the panel's way has its name."""
+    compiled, functions, page = made("bonnet_hinge", HINGE | {"flipped": flipped}, {"outline": OUTLINE})
+    low, high = (np.degrees(limit) for limit in functions.driving.limits)
+    (least,) = set(re.findall(r"at j2 = ([−\d.]+)\xa0deg", page))
+    assert low - 1e-3 <= float(least.replace("−", "-")) <= high + 1e-3
+    assert "j2, deg" in page and "motor" not in page.split('id="facts"')[1]
+    named = re.findall(r'<text class="point"[^>]*>(.*?)</text>', page)
+    assert sorted(named) == sorted(set(anchors(compiled).values()))
+    assert page.count('<circle class="pivot"') == len(named)

@@ -54,8 +54,8 @@ def _body(title: Said, compiled: Compiled, functions: JointFunctions, facts: Hin
 <main>
 <section id="linkage"><div class="two">{_linkage(compiled, functions, facts)}{_plane(compiled, facts)}</div></section>
 <section id="joints"><h2>{markup(say("sheet.functions"))}</h2>{_table(compiled, functions, facts)}</section>
-<section id="facts"><h2>{markup(say("sheet.facts"))}</h2>{_facts(compiled, facts)}
-<div class="three">{figures(_charts(facts))}</div></section>
+<section id="facts"><h2>{markup(say("sheet.facts"))}</h2>{_facts(compiled, functions, facts)}
+<div class="three">{figures(_charts(functions, facts))}</div></section>
 </main>
 <footer>{markup(say("sheet.footer", version=_version.__version__))}</footer>"""
 
@@ -153,17 +153,25 @@ def _note(key: str) -> str:
     return f'<span class="note">{markup(say(key))}</span>'
 
 
-def _facts(compiled: Compiled, facts: HingeFacts) -> str:
+def _joint_values(functions: JointFunctions, facts: HingeFacts, values: Array) -> tuple[Array, str]:
+    """What the driving joint has at values of the drive since the zero pose, as the table of joints counts it, with its
+    unit."""
+    unit, size = facts.units["angle"] if functions.driving.kind == "T" else ("mm", 1.0)
+    return functions.motion.of_drive(functions.zero + values) / size, unit
+
+
+def _facts(compiled: Compiled, functions: JointFunctions, facts: HingeFacts) -> str:
     """The facts as a list."""
     whole = compiled.assembly.size() / facts.units["length"][1]
     told = facts.as_dict()
-    drive, opening, pole = told["drive"], told["opening"], told["pole"]
+    opening, pole, step = told["opening"], told["pole"], facts.units["drive"][1]
     rows = [(say("sheet.opening", link=facts.panel), _range("sheet.opening.text", opening))]
     for least in told["transmission"]:
         key = "sheet.transmission.still" if least["at"] is None else "sheet.transmission.text"
-        at = "" if least["at"] is None else _number_text(least["at"])
+        there, drive_unit = _joint_values(functions, facts, np.array([(least["at"] or 0.0) * step]))
+        at = "" if least["at"] is None else _number_text(round(float(there[0]), 9))
         data = {"angle": _number_text(least["least"]), "unit": least["unit"], "group": least["group"], "at": at}
-        rows.append((say("sheet.transmission"), say(key, drive=facts.drive, drive_unit=drive["unit"], **data)))
+        rows.append((say("sheet.transmission"), say(key, drive=functions.driving.name, drive_unit=drive_unit, **data)))
     if any(value is not None for end in pole["ends"] for value in end):
         start, stop = (say("sheet.pole.far") if None in end else _places(end, whole) for end in pole["ends"])
         if abs(facts.value[0]) > abs(facts.value[-1]):
@@ -189,11 +197,10 @@ def _range(key: str, told: dict[str, float | str]) -> str:
     return say(key, low=low, high=high, unit=told["unit"])
 
 
-def _charts(facts: HingeFacts) -> list[Chart]:
-    """Opening over the drive; forces over the opening."""
-    (drive_unit, step), (angle_unit, angle) = facts.units["drive"], facts.units["angle"]
-    force_unit, force = facts.units["force"]
-    value, opening = facts.value / step, facts.opening / angle
+def _charts(functions: JointFunctions, facts: HingeFacts) -> list[Chart]:
+    """Opening over the driving joint; forces over the opening."""
+    (angle_unit, angle), (force_unit, force) = facts.units["angle"], facts.units["force"]
+    (value, drive_unit), opening = _joint_values(functions, facts, facts.value), facts.opening / angle
     made: list[Chart] = []
 
     def chart(title: str, label: str, x: Array, rows: Sequence[Array]) -> None:
@@ -206,7 +213,7 @@ def _charts(facts: HingeFacts) -> list[Chart]:
             made.append(Chart(title, partial(axes.drawing, shapes, title)))
 
     title = say("sheet.chart.opening", link=facts.panel, unit=angle_unit)
-    chart(title, say("sheet.chart.drive", drive=facts.drive, unit=drive_unit), value, [opening])
+    chart(title, say("sheet.chart.drive", drive=functions.driving.name, unit=drive_unit), value, [opening])
     over = say("sheet.chart.over", link=facts.panel, unit=angle_unit)
     if facts.hand is not None:
         title = say("sheet.chart.hand", point=facts.handle, unit=force_unit)
@@ -220,7 +227,8 @@ def _charts(facts: HingeFacts) -> list[Chart]:
 def _plane(compiled: Compiled, facts: HingeFacts) -> str:
     """The picture of what the panel sweeps, with the path of its instant centre."""
     unit, size = facts.units["length"]
-    pins = np.array([*places(compiled, facts.drive, anchors(compiled).values(), (facts.zero,))[0].values()]).T / size
+    named = places(compiled, facts.drive, anchors(compiled).values(), (facts.zero,))[0]
+    pins = np.array([*named.values()]).T / size
     shown = pins
     if facts.swept is not None:
         x0, y0, x1, y1 = (edge / size for edge in facts.swept.bounds)
@@ -250,10 +258,9 @@ def _plane(compiled: Compiled, facts: HingeFacts) -> str:
         run = run[near[run]]
         if run.size > 1:
             shapes.append(f'<polyline class="pole" points="{points(*plane.to_picture(*pole[:, run]))}"/>')
-    shapes += [
-        f'<circle class="pivot" cx="{x:.1f}" cy="{y:.1f}" r="2"/>'
-        for x, y in zip(*plane.to_picture(*pins), strict=True)
-    ]
+    for name, x, y in zip(named, *plane.to_picture(*pins), strict=True):
+        shapes.append(f'<circle class="pivot" cx="{x:.1f}" cy="{y:.1f}" r="2"/>')
+        shapes.append(f'<text class="point" x="{x + 4:.1f}" y="{y - 4:.1f}">{markup(name)}</text>')
     title = say(f"sheet.chart.{'pole' if facts.swept is None else 'swept'}", link=facts.panel)
     picture = (
         f'<svg class="lw still swept" viewBox="0 0 {plane.right + 12:.0f} {plane.bottom + 36:.0f}" role="img" '

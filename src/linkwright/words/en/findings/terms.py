@@ -107,6 +107,7 @@ TERMS: dict[str, str] = {
     "near-some": "Did you mean one of these: {names}?",
     "near-one-of": "Did you mean '{names}'? All of them: {known}.",
     "near-some-of": "Did you mean one of these: {names}? All of them: {known}.",
+    "near-many": "Write one of these: {names}; and {more} more.",
     "near-none": "Write one of these: {names}.",
     "near-nothing": "The file has none yet.",
     "places-of-assembly": "the positions given under assembly",

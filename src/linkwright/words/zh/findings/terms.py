@@ -105,6 +105,7 @@ TERMS: dict[str, str] = {
     "near-some": "是否指以下之一：{names}？",
     "near-one-of": "是否指“{names}”？可用的有：{known}。",
     "near-some-of": "是否指以下之一：{names}？可用的有：{known}。",
+    "near-many": "改用以下之一：{names}；另有 {more} 个未列出。",
     "near-none": "改用以下之一：{names}。",
     "near-nothing": "文件中尚未定义此类名称。",
     "places-of-assembly": " assembly 所给的位置",
