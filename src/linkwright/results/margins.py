@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from linkwright.data_classes import dataclass
 from linkwright.graph.rows import Determinant, Span, determinants, spans
+from linkwright.results.large_groups import rows_with_rates
 from linkwright.results.run import Run
 from linkwright.results.stationary import magnitude, stationary
 
@@ -30,7 +31,8 @@ def margins(run: Run, t: Array) -> Array:
     singular."""
     if not (every := rows(run)):
         return np.empty((0, t.size))
-    return np.nan_to_num(np.abs(run.compiled.evaluate(every, t)) / _largest(run)[:, None], nan=0.0)
+    values, _ = rows_with_rates(run.compiled, every, t, rates=False)
+    return np.nan_to_num(np.abs(values) / _largest(run)[:, None], nan=0.0)
 
 
 def rows(run: Run) -> list[Determinant | Span]:
@@ -64,7 +66,7 @@ def _nearest(run: Run) -> Nearest | None:
     every = rows(run)
 
     def rates(t: Array) -> tuple[Array, Array]:
-        values, slopes = magnitude(*run.compiled.rates(every, t))
+        values, slopes = magnitude(*rows_with_rates(run.compiled, every, t))
         return values / _largest(run)[:, None], slopes / _largest(run)[:, None]
 
     found = []
