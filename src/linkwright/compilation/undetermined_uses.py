@@ -12,9 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.dimensions import DimensionError
-from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, signal_text, signals_in
+from linkwright.expressions.language import Node, signal_text, signals_in
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
+from linkwright.kernels.combined import combined
 from linkwright.model.places import ExpressionPlace
 
 Array = NDArray[np.float64]
@@ -72,20 +73,9 @@ def _same(compiled: Compiled, node: Node) -> bool:
         changed[text] = rows[text] + np.array(stress.forces[contact.joint, contact.link, signal.attribute]) @ weights
     try:
         bound = quantities.dimensions.bind(node, None)
-        before, after = (_value(compiled, bound, of, t) for of in (rows, changed))
-    except (DimensionError, KeyError):
+    except DimensionError:
         return False
+    before, after = (
+        combined(compiled, bound, t, {name: (row,) for name, row in of.items()}, 0).d[0] for of in (rows, changed)
+    )
     return bool((np.abs(after - before) <= SAME * (np.abs(before) + size)).all())
-
-
-def _value(compiled: Compiled, node: Node, rows: dict[str, Array], t: Array) -> Array:
-    def name_value(name: Name) -> object:
-        return (
-            rows[name.text] if is_signal(name) else t if name.text == "t" else compiled.quantities.parameters[name.text]
-        )
-
-    def call_value(call: Call) -> object:
-        return rows[signal_text(call)]  # of a table a KeyError: nothing is known of it here
-
-    with np.errstate(all="ignore"):
-        return np.asarray(evaluate(node, name_value, call_value)) + 0.0 * t

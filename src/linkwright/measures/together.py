@@ -11,11 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.language import Node
+from linkwright.kernels.combined import combined
 from linkwright.measures.probe import FEW, Probe
 from linkwright.measures.round_off import LITTLE
 from linkwright.results import Run
 from linkwright.results.quadrature import panel_points
-from linkwright.results.run import combined
 
 Array = NDArray[np.float64]
 TIMES = 1 << 11

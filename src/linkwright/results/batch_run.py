@@ -15,11 +15,12 @@ from numpy.typing import NDArray
 
 from linkwright.expressions.language import Node
 from linkwright.graph.rows import Named
+from linkwright.kernels.combined import combined
 from linkwright.kernels.parameter_batch import Varied
 from linkwright.model.sampled import Sampled
 from linkwright.notation import angles
 from linkwright.notation.angles import whole_turns
-from linkwright.results.run import Run, combined
+from linkwright.results.run import Run
 from linkwright.results.stationary import Changes, bracketed, changes
 
 Array = NDArray[np.float64]

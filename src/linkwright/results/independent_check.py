@@ -19,10 +19,10 @@ from linkwright.expressions.units import Dimension
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.rows import BodyPlace, Named, WindowRow
 from linkwright.kernels import Compiled
+from linkwright.kernels.combined import combined
 from linkwright.kernels.motions import StatedMotion
 from linkwright.notation import Jet
 from linkwright.notation.angles import wrapped
-from linkwright.results.run import combined
 from linkwright.structure import FRAME
 
 Array = NDArray[np.float64]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property
 from typing import Any, TypeVar
 
@@ -10,10 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions import units as u
-from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, signals_in
+from linkwright.expressions.language import Call, Name, Node, is_signal, signals_in
 from linkwright.expressions.units import Dimension
 from linkwright.graph.rows import Named, effort
 from linkwright.kernels import Compiled
+from linkwright.kernels.combined import combined
 from linkwright.notation import Jet, angles
 from linkwright.notation.angles import MAX_TURN, whole_turns
 from linkwright.results import discontinuities
@@ -24,6 +25,8 @@ Made = TypeVar("Made")
 MAX_GRID = 1 << 18
 NARROWEST = 1e-13
 """Steps of an angle narrower than this share of the run aren't halved any more."""
+ROUND_OFF = 1e-12
+"""What is less than this share of what is usual of its dimension is what is left of zero where terms cancel."""
 BLIND = 1e-6
 """The share of the run around a change point in which rates have lost their digits."""
 FORCE_SIZES = tuple(one.physical for one in (u.LENGTH, u.SPEED, u.OMEGA, u.FORCE, u.ENERGY))
@@ -190,6 +193,11 @@ class Run:
         largest = self._largest_signals(asked)
         return [max(size, self._made_by_forces(key)) for size, key in zip(largest, asked, strict=True)]
 
+    def round_off(self, dimension: Dimension) -> float:
+        """What is left of zero where terms of a dimension cancel is less than this (SI): the one scale for all that
+        compares figures of two computations, or takes one for zero."""
+        return ROUND_OFF * self.usual([dimension])[0]
+
     def _largest_signals(self, asked: Sequence[Dimension]) -> list[float]:
         """Of each dimension the largest magnitude of the signals of it at a few times of the run; 0 without one."""
         if new := {*asked} - self._usual.keys():
@@ -323,54 +331,3 @@ class Run:
 def _rate(angle: str) -> str:
     """The signal that is the rate of an angle."""
     return angle.replace(".angle", ".omega")
-
-
-def combined(
-    compiled: Compiled,
-    node: Node,
-    t: Array,
-    rows: Mapping[str, Sequence[Array]],
-    order: int,
-    given: Mapping[str, Any] | None = None,
-) -> Jet:
-    """An expression (bound to SI) at times ``t`` to an order of derivatives, from the signals' ``rows``.
-
-    ``given`` are parameters other than the nominal ones: numbers, or arrays that broadcast with the times.
-    """
-    value = expressed(compiled, node, t, rows, order, given)
-    return Jet([np.broadcast_to(np.asarray(d, dtype=float), t.shape) for d in value.d])
-
-
-def expressed(
-    compiled: Compiled,
-    node: Node,
-    t: Array,
-    rows: Mapping[str, Sequence[Any]],
-    order: int,
-    given: Mapping[str, Any] | None = None,
-) -> Jet:
-    """The same with entries as they come out; those of ``rows`` and ``given`` may be duals."""
-    parameters = compiled.quantities.parameters if given is None else given
-    time = Jet([t, np.ones_like(t)]).truncated(order)
-
-    def name_value(name: Name) -> Any:
-        if is_signal(name):
-            return Jet([*rows[name.text]])
-        return time if name.text == "t" else parameters[name.text]
-
-    def call_value(call: Call) -> Jet:
-        if is_signal(call):
-            return Jet([*rows[compiled.quantities.signals.find(call).text]])
-        argument = evaluate(call.args[0], name_value, call_value)
-        return (
-            compiled.tables[call.name]
-            .at_parameters(parameters)
-            .or_nan(argument if isinstance(argument, Jet) else Jet.constant(argument, order))
-        )
-
-    try:
-        with np.errstate(all="ignore"):
-            value = evaluate(node, name_value, call_value)
-    except ZeroDivisionError:
-        value = np.nan
-    return value if isinstance(value, Jet) else Jet.constant(value, order)

@@ -29,6 +29,7 @@ from linkwright.results import Run
 from linkwright.results.batch_run import Bunch, What
 from linkwright.results.batch_windows import Windows
 from linkwright.results.discontinuities import kinks, law_joins
+from linkwright.results.run import ROUND_OFF
 from linkwright.results.stationary import fineness
 from linkwright.studies.batch_quadrature import CLOSE, FIRST_PANELS, MOST_PANELS, corners, mean
 from linkwright.studies.follower_locking import angles
@@ -40,8 +41,9 @@ MOST_STEPS = 1 << 12
 """The finest grid that samples share."""
 ALIKE = 1e-9
 """How near a measure of one sample is to be to that of a run of its own, over its size."""
-SLIGHT = 1e-3
-"""Of what cancels in it, an expression is round-off if it is smaller by as much again as measures are to be alike."""
+SLIGHT = ROUND_OFF / ALIKE
+"""The share of what cancels in an expression below which its size doesn't count: a share :data:`ALIKE` of it is
+round-off."""
 CHUNK = 1 << 17
 """Poses of the grid that are looked at together."""
 

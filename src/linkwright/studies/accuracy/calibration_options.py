@@ -17,13 +17,13 @@ from linkwright.expressions.unknown import near
 from linkwright.expressions.written import Fault, FrozenDict
 from linkwright.findings import Finding, Joined, ModelError, raise_errors
 from linkwright.kernels import Compiled
+from linkwright.kernels.combined import expressed
 from linkwright.kernels.parameter_batch import Varied
 from linkwright.kernels.tangents import Tangents
 from linkwright.model.actions import FileBeside
 from linkwright.notation.angles import whole_turns
 from linkwright.notation.duals import Dual, slope_of, value_of
 from linkwright.results import Run
-from linkwright.results.run import expressed
 from linkwright.studies.accuracy.calibration_outcome import Calibration, Confounded, Estimate, Observed
 from linkwright.studies.accuracy.calibration_solver import CalibrationFit, Measurements, TooFew, Unusable, fit, scaling
 from linkwright.studies.accuracy.contributors import Contributors

@@ -12,13 +12,13 @@ from numpy.typing import NDArray
 from linkwright.data_classes import dataclass
 from linkwright.findings import Said, Term, Text
 from linkwright.presentation.json_numbers import known
+from linkwright.results.run import ROUND_OFF
 from linkwright.studies.accuracy.outcome import AccuracyOutcome, OutputDeviations, SignalDeviations
 
 Array = NDArray[np.float64]
 
 ERRORS = 5.0
 """So many standard errors are no accident."""
-ROUND_OFF = 1e-12
 
 
 @dataclass(frozen=True)
@@ -71,8 +71,8 @@ def along(curve: SignalDeviations, outcome: AccuracyOutcome) -> NDArray[np.bool_
         return np.zeros(curve.t.size, dtype=bool)
     mean, sigma, _, _, count = curve.sampled
     errors = _errors(sigma, count)
-    usual = outcome.run.usual([curve.dimension])
-    least = ROUND_OFF * max(float(np.nanmax(np.abs(curve.nominal), initial=0.0)), *usual)
+    nominal = ROUND_OFF * float(np.nanmax(np.abs(curve.nominal), initial=0.0))
+    least = max(nominal, outcome.run.round_off(curve.dimension))
     return _parted(_compared(mean - curve.mean, sigma, curve.sigma, *errors, least=least), outcome)
 
 

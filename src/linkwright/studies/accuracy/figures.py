@@ -20,9 +20,6 @@ from linkwright.studies.figures import columns
 
 Array = NDArray[np.float64]
 
-ROUND_OFF = 1e-14
-"""A change that is less, over the size of the mechanism's signals of its dimension, is what is left of zero."""
-
 
 def reach(contributors: Contributors) -> Array:
     """The largest deviation of each contributor: (contributors,)."""
@@ -31,7 +28,7 @@ def reach(contributors: Contributors) -> Array:
 
 def least(run: Run, dimension: Dimension) -> float:
     """The least change (SI) of a figure of some dimension that is more than round-off."""
-    return ROUND_OFF * run.usual([dimension])[0]
+    return run.round_off(dimension)
 
 
 def curves(run: Run, slopes: Slopes, contributors: Contributors, texts: Sequence[str]) -> dict[str, SignalDeviations]:

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.language import Node
+from linkwright.kernels.combined import combined
 from linkwright.notation.duals import value_of
 from linkwright.results.discontinuities import law_joins
-from linkwright.results.run import combined
 from linkwright.results.stationary import crossings
 from linkwright.studies.accuracy.signal_sensitivities import Slopes
 

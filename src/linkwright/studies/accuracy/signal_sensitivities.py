@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Node, evaluate
 from linkwright.expressions.units import Dimension
+from linkwright.kernels.combined import expressed
 from linkwright.kernels.tangents import Tangents
 from linkwright.notation.duals import Dual, slope_of, value_of
 from linkwright.reductions import Local
 from linkwright.results import Run
-from linkwright.results.run import expressed
 
 Array = NDArray[np.float64]
 
