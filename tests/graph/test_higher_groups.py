@@ -7,12 +7,13 @@ from typing import Any
 import numpy as np
 import pytest
 
+import linkwright as lw
 from helpers.compiled import compiled_from
 from helpers.expected import expected_forces, expected_motion, oracle_states, worst
 from helpers.plain import plain_of
 from linkwright.compilation import examine
 from linkwright.graph.rows import BodyPlace
-from linkwright.model.document import Document
+from linkwright.model.document import Document, parse_document
 from linkwright.results import Run, certify
 from linkwright.structure import HigherGroup
 
@@ -236,3 +237,30 @@ def test_a_mechanism_of_kilometres_is_put_together_too() -> None:
         data.pop("loads", None)
     found = [compiled_from(data).evaluate(["plate.omega"], T)[0] for data in (small, large)]
     assert np.abs(found[1] - found[0]).max() < 1e-10
+
+
+def test_a_start_in_a_singular_position_is_told_as_such() -> None:
+    """A beam on two pins in upright slots exactly its length apart closes, in a position in which it can't be turned;
+    with slots nearer together it has an assembly, with slots farther apart it has none."""
+
+    def findings(apart: float) -> list[str]:
+        data = {
+            "linkwright": 1,
+            "units": {"length": "mm", "angle": "deg", "mass": "kg", "time": "s", "force": "N", "torque": "N*m"},
+            "links": {
+                "frame": {"points": {"F1": [0, 0], "F2": [apart, 0], "G": [300, -200]}},
+                "beam": {"points": {"T1": [0, 0], "T2": [800, 0], "C": [400, 0]}},
+            },
+            "joints": {
+                "g1": {"pin_in_slot": ["beam", "frame"], "pin": "T1", "straight": "F1 at 90 deg"},
+                "g2": {"pin_in_slot": ["beam", "frame"], "pin": "T2", "straight": "F2 at 90 deg"},
+            },
+            "cylinders": {"cyl": {"from": "G", "to": "C"}},
+            "assembly": {"T1": [0, 300], "T2": [800, 300]},
+            "drives": {"ram": {"extends": "cyl", "position": "520 mm + 50 mm*t/(1 s)"}},
+        }
+        return [finding.code for finding in lw.check(parse_document(data)) if finding.severity == "error"]
+
+    assert findings(800) == ["assembly.singular-start"]
+    assert findings(820) == ["assembly.not-found"]
+    assert findings(795) == []

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import field
 from typing import Any
@@ -20,6 +20,7 @@ from linkwright.graph.geometry import Geometry
 from linkwright.graph.higher_groups import (
     assemble_as_drawn,
     assemble_higher_group,
+    closes_in_a_singular_pose,
     drawn_phases,
     only_coordinates,
 )
@@ -209,7 +210,7 @@ class _Assembler:
         self.assembly.starts[higher_group] = found
         return found
 
-    def not_found(self, higher_group: HigherGroup, sketch: Iterable[str]) -> None:
+    def not_found(self, higher_group: HigherGroup, sketch: Mapping[str, Pair]) -> None:
         """Why a higher group has no assembly: a prescribed place that is out of reach, else that none was found."""
         if (far := out_of_reach(self.motion, higher_group, self.drives)) is not None:
             unit, size = self.quantities.unit_of(LENGTH)
@@ -222,7 +223,9 @@ class _Assembler:
         drawn = any(isinstance(self.rules[name], Drawn) for name in sketch)
         where = Term("places-of-sketch" if drawn else "places-of-assembly")
         first = higher_group.links[0]
-        self.note("assembly.not-found", ("links", first), links=Joined(higher_group.links), where=where)
+        singular = sketch and closes_in_a_singular_pose(self.motion, higher_group, dict(sketch), self.drives)
+        code = "assembly.singular-start" if singular else "assembly.not-found"
+        self.note(code, ("links", first), links=Joined(higher_group.links), where=where)
 
     def unplaced(self, pin: Pin, higher_group: HigherGroup) -> list[str]:
         """The name by which a sketch gives a pin's place, where only links of the higher group, or later ones, are on

@@ -322,6 +322,48 @@ def assemble_higher_group(
     return best[1] if best else None
 
 
+def closes_in_a_singular_pose(
+    motion: Motion, step: HigherGroup, sketch: dict[str, Pair], drives: dict[str, Jet]
+) -> bool:
+    """Whether the links close near their sketched places, but in a singular position, at which Newton's steps grow
+    without bound: steps by least squares arrive there, halving their error each time as at a double root."""
+    size = _sketch_size(sketch)
+    still, motion.order = motion.order, 0
+    try:
+        starts = islice(_starts(motion, step, sketch, drives, size), TRIED)
+        return any(_closes_singularly(motion, step, start, drives, size) for start in starts)
+    except np.linalg.LinAlgError:
+        return False
+    finally:
+        motion.order = still
+
+
+def _closes_singularly(
+    motion: Motion, step: HigherGroup, start: list[float], drives: dict[str, Jet], size: float
+) -> bool:
+    """The same from one start, the orders of rates being switched off."""
+    here = list(start)
+    for _ in range(HALVED_BY_STEPS):
+        miss = _miss(motion, step, here, drives)
+        solved = motion.higher_groups[step]
+        matrix = np.array([[float(entry) for entry in row] for row in solved.slopes])
+        gaps = np.array([float(gap) for gap in solved.gaps])
+        if not (np.isfinite(matrix).all() and np.isfinite(gaps).all()):
+            return False
+        here = [q - float(s) for q, s in zip(here, np.linalg.lstsq(matrix, gaps, rcond=1e-9)[0], strict=True)]
+    lengths = np.linalg.norm(matrix, axis=0)
+    values = np.linalg.svd(matrix / np.where(lengths > 0, lengths, 1.0), compute_uv=False)
+    return bool(miss < CLOSES * size and values[-1] < FLAT * values[0])
+
+
+TRIED = 16
+"""So many starts are looked at for that."""
+HALVED_BY_STEPS = 60
+"""So many halvings bring an error below the root of round-off."""
+CLOSES, FLAT = 1e-9, 1e-4
+"""Closures that miss by less than this share of the size close; singular values below this share are zero there."""
+
+
 def assemble_as_drawn(
     motion: Motion, step: HigherGroup, poses: Mapping[str, tuple[float, float, float]], drives: dict[str, Jet]
 ) -> list[float] | None:

@@ -46,6 +46,12 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "No assembly of {links} was found at the start near {where}.",
         "Check the lengths, and sketch the pins at their positions at the start of the motion.",
     ),
+    "assembly.singular-start": (
+        "At the start, {links} close near {where}, but in a singular position: two assembly modes meet there, so "
+        "that neither the rates nor the forces are defined.",
+        "Start at another pose. If the links are in this position all along, change a length, or replace one of their "
+        "joints, so that they aren't in line with their guides.",
+    ),
     "assembly.out-of-reach": (
         "The point {point} is out of reach at the start: its prescribed position is {distance} from the pin {pin}, and {links} "
         "{short}.",

@@ -46,6 +46,10 @@ PROBLEMS: dict[str, tuple[str, str]] = {
         "在{where}附近，未找到 {links} 在起始位姿的装配。",
         "检查各长度，并将草图中的铰链画在运动起始时的位置。",
     ),
+    "assembly.singular-start": (
+        "起始时，{links} 在{where}附近能够闭合，但处于奇异位形：两种装配模式在此重合，速度和力均无定义。",
+        "从其他位姿开始。若各构件始终处于该位形，则更改长度或更换其中一个运动副，使构件不再与其导路共线。",
+    ),
     "assembly.out-of-reach": (
         "点 {point} 在起始位姿不可达：给定位置距铰链 {pin} 为 {distance}，而 {links} {short}。",
         "修改起始时的给定位置，移动铰链 {pin}，或修改杆长。",
