@@ -256,7 +256,7 @@ def test_a_start_in_a_singular_position_is_told_as_such() -> None:
                 "g2": {"pin_in_slot": ["beam", "frame"], "pin": "T2", "straight": "F2 at 90 deg"},
             },
             "cylinders": {"cyl": {"from": "G", "to": "C"}},
-            "assembly": {"T1": [0, 300], "T2": [800, 300]},
+            "assembly": {"T1": [0, 300], "T2": [apart, 300 + max(800**2 - apart**2, 0) ** 0.5]},
             "drives": {"ram": {"extends": "cyl", "position": "520 mm + 50 mm*t/(1 s)"}},
         }
         return [finding.code for finding in lw.check(parse_document(data)) if finding.severity == "error"]
