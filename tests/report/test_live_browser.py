@@ -356,6 +356,35 @@ def test_the_search_of_signals_knows_what_plots_call_them(show: Callable[..., Op
         assert name in options.first.inner_text()
 
 
+@pytest.mark.parametrize(
+    ("language", "query", "name"),
+    [
+        ("zh", "加速度", "B.ax"),
+        ("zh", "速度 E", "E.vx"),
+        ("zh", "位移", "B.x"),
+        ("zh", "转角", "crank.angle"),
+        ("zh", "转速", "crank.omega"),
+        ("zh", "力矩", "motor.torque"),
+        ("zh", "扭矩", "motor.torque"),
+        ("zh", "约束反力", "force(frame, crank).x"),
+        ("zh", "reaction", "force(frame, crank).x"),
+        ("zh", "force(rocker, coupler)", "force(coupler, rocker).x"),
+        ("en", "displacement", "B.x"),
+        ("en", "rotation", "crank.angle"),
+        ("en", "reaction", "force(frame, crank).x"),
+    ],
+)
+def test_signals_are_found_by_the_terms_of_the_field(
+    show: Callable[..., Opened], language: str, query: str, name: str
+) -> None:
+    view = show("paper_feeder")
+    if language == "zh":
+        view.page.get_by_text("简体中文").click()
+        view.page.wait_for_selector("#plot-bar input[role=combobox]")
+    view.page.locator("#plot-bar input[role=combobox]").first.fill(query)
+    assert view.page.locator("#plot-bar [role=option]").first.inner_text().startswith(name)
+
+
 def test_paper_says_that_it_was_changed(show: Callable[..., Opened]) -> None:
     view = show("paper_feeder")
     drawn = view.page.locator("#still").inner_html()

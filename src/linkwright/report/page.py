@@ -17,7 +17,7 @@ from linkwright.report.html_blocks import section
 from linkwright.report.mechanism_drawing import drawing
 from linkwright.report.packed import packed, packed_live, without_series, without_values
 from linkwright.report.signal_list import KINDS
-from linkwright.words import say
+from linkwright.words import known, say
 
 LIVE_WORDS = (
     "back",
@@ -180,6 +180,7 @@ def _words(data: ReportData) -> dict[str, object]:
         "time": str(data["time"]["label"]),
         "axis": str(named(data["time"]["label"], data["time"]["unit"])),
         "titles": [str(plot["title"]) for plot in data["plots"]],
+        "also": [_also(plot["title"]) for plot in data["plots"]] if live else [],
         "label": str(_label("{title}")),
         "label_unit": str(_label(named("{title}", "{unit}"))),
         "locked": [str(one["locked"]) for one in live["numbers"]] if live else [],
@@ -191,6 +192,12 @@ def _words(data: ReportData) -> dict[str, object]:
         "charts": {key: [str(chart.title), *map(str, chart.data.texts)] for key, chart in charts.items()},
         "areas": [str(area["name"]) for area in data["scene"].get("areas", ())],
     }
+
+
+def _also(title: Text) -> str:
+    """Other words by which the signals of a plot are looked for."""
+    key = title.key.replace("plot.", "plot.also.", 1) if isinstance(title, Said) else ""
+    return say(key) if key and known(key) else ""
 
 
 def _label(title: Text) -> Text:

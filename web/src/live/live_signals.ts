@@ -13,7 +13,9 @@ export type Kinds = Readonly<Record<string, string>>;
 /** `plots`: the report's own, which say what their signals are. */
 export function liveSignals(live: LiveModel, kinds: Kinds, plots: readonly Plot[]): Signals {
   const { data } = live;
-  const quantities = new Map(plots.flatMap(({ title, series }) => series.map(({ name }) => [name, title] as const)));
+  const quantities = new Map(
+    plots.flatMap(({ title, also = "", series }) => series.map(({ name }) => [name, `${title} ${also}`] as const)),
+  );
   const numbers = new Map(data.signals.map((name, i) => [name, i]));
   const size = (name: string): number => data.sizes[numbers.get(name) ?? -1] ?? 1;
   const taken = new WeakMap<Motion, Map<string, Values>>();

@@ -23,6 +23,8 @@ export interface PageWords {
   readonly time: string;
   readonly axis: string;
   readonly titles: readonly string[];
+  /** By what else each plot is looked for. */
+  readonly also?: readonly string[];
   /** What a plot shows, with places for its {title}, {unit} and {signals}. */
   readonly label: string;
   readonly label_unit: string;
@@ -63,7 +65,7 @@ export function pageData(words: PageWords): PageData {
   return {
     time: { ...time, values, label: words.time },
     scene: { ...scene, ...(areas ? { areas } : {}), ...(arrows ? { arrows } : {}) },
-    plots: plots.map((plot, i) => ({ ...plot, title: words.titles[i] ?? "" })),
+    plots: plots.map((plot, i) => ({ ...plot, title: words.titles[i] ?? "", also: words.also?.[i] ?? "" })),
     first,
     ...(data ? { live: data } : {}),
   };
