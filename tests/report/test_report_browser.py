@@ -530,3 +530,26 @@ def test_only_errors_are_red(show: Any, report: ReportData, severity: str, width
     red = [part for part in parts if len(part) == 3 and part[0] > 1.75 * max(part[1], part[2])]  # amber: 1.66
     assert bool(red) == (severity == "error")
     assert view.page.evaluate("document.documentElement.scrollWidth") <= width
+
+
+def test_on_a_phone_each_card_says_what_its_first_number_is(show: Any) -> None:
+    """Rows of studies' tables are cards: the value of a parameter alone would be no heading."""
+    view = show(stepped(), viewport={"width": 390, "height": 800})
+    cells = view.page.locator("#workspace table.limits td:first-child")
+    heads = cells.evaluate_all("""all => all.map(e => [getComputedStyle(e, '::before').content, e.dataset.head])""")
+    assert heads and all(content.replace('"', "").strip() == head for content, head in heads)
+
+
+def test_the_last_label_of_an_axis_is_whole(show: Any, report: ReportData) -> None:
+    """Where the axis ends at a number of many digits, half of its label lies beyond the axis, within the picture."""
+    report["plots"] = [
+        {"title": "long", "group": "motion", "unit": "mm", "series": [{"name": "B.x", "values": [*range(201)]}]}
+    ]
+    report["time"] = {"values": [100.0 * k for k in range(201)], "unit": "s", "label": "time"}
+    view = show(report)
+    view.settle()
+    over, canvas = (
+        view.page.locator(f".uplot {part}").first.evaluate("e => e.getBoundingClientRect().right")
+        for part in (".u-over", "canvas")
+    )
+    assert canvas - over >= 0.5 * 6.1 * len("20000")

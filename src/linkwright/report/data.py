@@ -180,15 +180,16 @@ class Problem(TypedDict):
 class LiveNumber(TypedDict):
     """A number of the model file that can be moved in the page.
 
-    ``label`` is its place in short; ``value`` and the bounds ``low`` and ``high``, those of its ``tolerance``, and
-    ``scale``, by which changes of numbers are compared, are in SI; ``size`` is the SI value of its ``unit``. A
-    ``named`` one is a parameter or a length of the sketch. A ``drawn`` one follows from the sketch until it is moved;
-    it has no digits in the file. ``locked`` says why it can't be moved. Its digits stand in columns ``start``
-    to ``end`` of a ``line`` of the data.
+    ``label`` is its place in short, ``called`` that in words; ``value`` and the bounds ``low`` and ``high``, those of
+    its ``tolerance``, and ``scale``, by which changes of numbers are compared, are in SI; ``size`` is the SI value of
+    its ``unit``. A ``named`` one is a parameter or a length of the sketch. A ``drawn`` one follows from the sketch
+    until it is moved; it has no digits in the file. ``locked`` says why it can't be moved. Its digits stand in columns
+    ``start`` to ``end`` of a ``line`` of the data.
     """
 
     name: str
     label: str
+    called: Text
     value: float
     low: float
     high: float

@@ -38,6 +38,7 @@ from linkwright.presentation.json_numbers import known
 from linkwright.report.arrows import Arrow, arrow_rows
 from linkwright.report.data import LiveData, LiveEntry, LiveNumber, Plot, SaidBy, Scene
 from linkwright.report.joint_shapes import live_joint_shapes
+from linkwright.report.number_names import number_name
 from linkwright.report.outlines import LiveOutline
 from linkwright.report.packed import pruned
 from linkwright.report.signal_list import measured_signals, signal_list
@@ -262,6 +263,7 @@ def _drawn(made: PagePrograms, drawn: Sequence[DrawnNumber], labels: Mapping[str
             {
                 "name": one.name,
                 "label": one.name,
+                "called": one.name,
                 "value": one.value,
                 "low": float(f"{one.low:.6g}"),
                 "high": float(f"{one.high:.6g}"),
@@ -301,6 +303,7 @@ def _numbers(
             {
                 "name": name,
                 "label": one["label"],
+                "called": number_name(one["path"], one["label"]),
                 "value": one["value"],
                 "low": float(f"{one['low']:.6g}"),
                 "high": float(f"{one['high']:.6g}"),

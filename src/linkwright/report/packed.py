@@ -27,7 +27,8 @@ def packed_live(live: LiveData) -> dict[str, object]:
         key: value for key, value in live.items() if key not in ("code", "owners", "groups", "gap")
     }
     sizes, of_conditions = _unit_sizes(live), [one["size"] or 1.0 for one in live["conditions"]]
-    numbers = [{**number, "locked": bool(str(number["locked"]))} for number in live["numbers"]]
+    plain = ({key: value for key, value in number.items() if key != "called"} for number in live["numbers"])
+    numbers = [{**number, "locked": bool(str(number["locked"]))} for number in plain]
     return {
         **own,
         "times": even(live["times"]),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
 
 from linkwright.drawing.charts import named
@@ -12,7 +13,7 @@ from linkwright.presentation.html_file import asset, html_file
 from linkwright.presentation.payload import Exact
 from linkwright.presentation.scripts import built
 from linkwright.report import sections
-from linkwright.report.data import ReportData
+from linkwright.report.data import LiveNumber, ReportData
 from linkwright.report.html_blocks import section
 from linkwright.report.mechanism_drawing import drawing
 from linkwright.report.packed import packed, packed_live, without_series, without_values
@@ -183,6 +184,7 @@ def _words(data: ReportData) -> dict[str, object]:
         "also": [_also(plot["title"]) for plot in data["plots"]] if live else [],
         "label": str(_label("{title}")),
         "label_unit": str(_label(named("{title}", "{unit}"))),
+        "names": _names(live["numbers"]) if live else [],
         "locked": [str(one["locked"]) for one in live["numbers"]] if live else [],
         "faults": packed([str(one["what"]) for one in live["conditions"]]) if live else packed([]),
         "groups": [[str(part) for part in one] for one in live["groups"]] if live else [],
@@ -192,6 +194,11 @@ def _words(data: ReportData) -> dict[str, object]:
         "charts": {key: [str(chart.title), *map(str, chart.data.texts)] for key, chart in charts.items()},
         "areas": [str(area["name"]) for area in data["scene"].get("areas", ())],
     }
+
+
+def _names(numbers: Sequence[LiveNumber]) -> list[str]:
+    """What numbers are called where that isn't their label, else empty."""
+    return ["" if (name := str(one["called"])) == one["label"] else name for one in numbers]
 
 
 def _also(title: Text) -> str:

@@ -22,7 +22,7 @@ from linkwright.report.page import page
 from linkwright.studies.workspace.certificate import Contradiction, RegionCertificate
 from linkwright.studies.workspace.dxf_file import read_curve
 from linkwright.studies.workspace.files import boundary_csv, dxf, geojson, svg
-from linkwright.studies.workspace.report import report
+from linkwright.studies.workspace.report import report, without_traces
 
 
 @pytest.fixture(scope="module")
@@ -248,3 +248,18 @@ def test_pictures_of_several_values_have_the_same_axes() -> None:
     assert len(drawings) == 2 and len({grid.get("d") for grid in grids if grid is not None}) == 1
     titles = [one.text or "" for one in root.findall(f"{space}text")]
     assert [title.split(" = ")[1] for title in titles] == ["30 mm", "20 mm"]
+
+
+@pytest.mark.parametrize(
+    ("ends", "shown"),
+    [
+        ((3.78413e-06, 30.5), (0.0, 30.5)),
+        ((-30.5, -1e-9), (-30.5, 0.0)),
+        ((3.7e-5, 30.5), (3.7e-5, 30.5)),
+        ((-2e-9, 1e-9), (-2e-9, 1e-9)),
+        ((0.0, 0.0), (0.0, 0.0)),
+    ],
+)
+def test_a_range_has_no_trace_of_its_larger_end(ends: tuple[float, float], shown: tuple[float, float]) -> None:
+    """Round-off beside the digits that are shown is no number; small ranges keep theirs."""
+    assert without_traces(ends) == shown

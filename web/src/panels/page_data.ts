@@ -37,6 +37,8 @@ export interface PageWords {
   readonly column: string;
   /** Of each number that can be moved why it is locked, else an empty text. */
   readonly locked: readonly string[];
+  /** What each of them is called where that isn't its label, else an empty text. */
+  readonly names?: readonly string[];
   /** Of each condition on numbers what is wrong where it isn't met. */
   readonly faults: List<string>;
   /** Of each dyad with two modes its links and its outer joints. */
@@ -60,7 +62,7 @@ export function pageData(words: PageWords): PageData {
   const whole = (name: string) => (row: string): string => (row.startsWith(".") ? name + row : row);
   const arrows = scene.arrows?.map((arrow) => ({ ...arrow, rows: arrow.rows.map(whole(arrow.name)) }));
   const areas = scene.areas?.map((area, i) => ({ ...area, name: words.areas[i] ?? area.name }));
-  const data = live ? liveData(read("#live") as Packed) : null;
+  const data = live ? liveData(read("#live") as Packed, words.names ?? []) : null;
   const values = data ? data.times.map((each) => each / data.second) : time.values;
   return {
     time: { ...time, values, label: words.time },
@@ -74,10 +76,13 @@ export function pageData(words: PageWords): PageData {
 /** The charts of studies, on a page that has some. */
 export const chartData = (): RawCharts => read("#charts") as RawCharts;
 
-function liveData(data: Packed): LiveData {
+function liveData(data: Packed, names: readonly string[]): LiveData {
   const size = ({ unit = "" }: { unit?: string }): { size: number } => ({ size: data.unit_sizes[unit]! });
   const measures = data.measures.map((one) => ({ ...NOTHING, ...size(one), ...one, ...stated(one) }));
-  const numbers = data.numbers.map((number) => ({ ...PLAIN, ...size(number), ...number }));
+  const numbers = data.numbers.map((number, i) => {
+    const whole = { ...PLAIN, ...size(number), ...number };
+    return { ...whole, label: names[i] || whole.label };
+  });
   const conditions = { places: data.conditions.places, sizes: unpacked(data.conditions.sizes) };
   const lists = { ...signalsOf(data.signals), sizes: unpacked(data.sizes), units: unpacked(data.units) };
   return { ...data, ...lists, times: timesOf(data.times), measures, numbers, conditions };

@@ -61,7 +61,8 @@ export function chartOptions(shown: Shown, colour: Colour, { width, height, scal
   return {
     width: width * scale,
     height: height * scale,
-    padding: [8 * scale, 10 * scale, 0, 0],
+    // Half of a label at the end of the horizontal axis lies beyond it.
+    padding: [8 * scale, () => Math.max(10, 3.4 * endLabel(shown, names) + 3) * scale, 0, 0],
     legend: { show: false },
     focus: { alpha: 1 },
     cursor: {
@@ -100,6 +101,10 @@ export function chartOptions(shown: Shown, colour: Colour, { width, height, scal
     ],
   };
 }
+
+/** How many letters the longer label at an end of the horizontal axis has. */
+const endLabel = ({ window }: Shown, names: readonly string[] | undefined): number =>
+  names ? 0 : Math.max(...window.map((end) => tick(Number(end.toPrecision(2))).length));
 
 /** Names in place of numbers, as long as there is room for them. */
 const below = (names: readonly string[] | undefined): Partial<uPlot.Axis> =>

@@ -183,7 +183,18 @@ def _shape(one: Entry) -> list[Cell]:
 
 def _extents(one: Entry) -> Iterator[Numbers]:
     for low, high in zip(one["bounds"][:2], one["bounds"][2:], strict=True):
-        yield numbers(() if low is None else (low, high), 6, one["unit"])
+        yield numbers(() if low is None else without_traces((low, high)), 6, one["unit"])
+
+
+TRACE = 1e-6
+"""The share of the larger end of a range below which the other one is only what is left of zero: six digits are
+shown."""
+
+
+def without_traces(ends: tuple[float, float]) -> tuple[float, ...]:
+    """The ends of a range, with zero for what is only a trace beside the larger one."""
+    largest = max(map(abs, ends))
+    return tuple(0.0 if abs(end) < TRACE * largest else float(end) for end in ends)
 
 
 def _area(one: Entry, key: str) -> NumberCell:
