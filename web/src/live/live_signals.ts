@@ -1,9 +1,9 @@
 // The signals of a live model as plots take them, in the units of the page.
 
 import { type LiveNumber, numberOn } from "../measures/measure.ts";
-import type { Level, Marks, Place, Signals } from "../plots/signals.ts";
+import type { Level, Marks, Place, Signals, Sought } from "../plots/signals.ts";
 import type { Motion } from "../program/mechanism.ts";
-import type { Plot, Values } from "../scene/data.ts";
+import type { Values } from "../scene/data.ts";
 import { figuresOf, rowsOf } from "./live_figures.ts";
 import type { LiveModel } from "./live_model.ts";
 
@@ -11,7 +11,7 @@ import type { LiveModel } from "./live_model.ts";
 export type Kinds = Readonly<Record<string, string>>;
 
 /** `plots`: the report's own, which say what their signals are. */
-export function liveSignals(live: LiveModel, kinds: Kinds, plots: readonly Plot[]): Signals {
+export function liveSignals(live: LiveModel, kinds: Kinds, plots: readonly Sought[]): Signals {
   const { data } = live;
   const quantities = new Map(
     plots.flatMap(({ title, also = "", series }) => series.map(({ name }) => [name, `${title} ${also}`] as const)),

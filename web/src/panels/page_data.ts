@@ -5,12 +5,13 @@ import { type List, type Packed, signalsOf, timesOf, unpacked } from "../live/pa
 import type { LiveMeasure, LiveNumber, LiveRow } from "../measures/measure.ts";
 import type { Plot, Scene, Texts, TimeAxis } from "../scene/data.ts";
 import type { RawCharts } from "../plots/study_raw.ts";
+import type { Sought } from "../plots/signals.ts";
 import { found } from "./found.ts";
 
 export interface PageData {
   readonly time: TimeAxis;
   readonly scene: Scene;
-  readonly plots: readonly Plot[];
+  readonly plots: readonly Sought[];
   /** The numbers of the plots that a live page shows first, unfolded. */
   readonly first: readonly number[];
   /** What the page needs to compute all values itself: without them scene and plots have none. */

@@ -11,6 +11,9 @@ export interface Listed {
   readonly quantity?: string;
 }
 
+/** A plot of the report, and by what else its signals are looked for. */
+export type Sought = Plot & { readonly also?: string };
+
 /** A place of a measure in the plot of its signal: which sample's time it is nearest to, and how it is called. */
 export interface Place {
   readonly time: number;

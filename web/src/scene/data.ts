@@ -130,8 +130,6 @@ export interface Series {
 /** Curves of one unit against time. */
 export interface Plot {
   readonly title: string;
-  /** By what else it is looked for. */
-  readonly also?: string;
   readonly group: "motion" | "force";
   readonly unit: string;
   readonly series: readonly Series[];
