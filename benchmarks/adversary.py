@@ -22,7 +22,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from patience import limited, spread
+from patience import OutOfTime, limited, spread
 
 sys.path.append(str(Path(__file__).resolve().parent.parent / "tests"))
 
@@ -62,7 +62,7 @@ def tried(seed: int) -> Outcome:
             verdicts = judged(batch, answers(job))
             # Expressions stay here: they hold functions, which don't go from one process to another.
             outcome.verdicts = [replace(v, case=replace(v.case, f=None)) for v in verdicts]
-        except Exception as error:
+        except (Exception, OutOfTime) as error:
             outcome.raised = f"{type(error).__name__}: {error}"[:500]
     outcome.seconds = time.perf_counter() - start
     return outcome

@@ -16,6 +16,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+import grown
 import large_models
 import mutations
 from ruamel.yaml import YAML
@@ -32,6 +33,10 @@ SAMPLES = 12
 CHORD = 1e-2
 VALUES = 2
 """Options that make studies short, where the case isn't about them."""
+ALTERED = 0.25
+"""The share of grown mechanisms that are altered."""
+LONG = 4000
+"""Grown mechanisms whose links take more letters than this are checked, not run."""
 Data = dict[str, Any]
 
 
@@ -298,6 +303,25 @@ def large(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
     made = large_models.FAULTS[random_.choice([*large_models.FAULTS])](made, seed)
     run = links < 40 and random_.random() < 0.3
     return folder(made), performing("run") if run else CHECK
+
+
+@register(100)
+def mechanisms(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
+    """valid random mechanisms of 3 to 60 links over the whole vocabulary; a quarter of them altered"""
+    data = grown.mechanism(random_)
+    if random_.random() < ALTERED:
+        for _ in range(random_.choice((1, 1, 2))):
+            random_.choice((mutations.change, _one_number))(random_, data)
+    drawn = random_.random()
+    if isinstance(data, dict) and len(str(data.get("links"))) > LONG:
+        drawn = max(drawn, 10 * drawn - 0.2)
+    if drawn < 0.06:
+        return folder(data), performing("export", "--to", random_.choice([*TARGETS]))
+    return folder(data), performing("run") if drawn < 0.6 else CHECK
+
+
+def _one_number(random_: random.Random, data: Data) -> None:
+    _numbers(random_, data, 1, gentle=random_.random() < 0.5)
 
 
 # Changes.

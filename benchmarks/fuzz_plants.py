@@ -153,6 +153,48 @@ def silent_refusal() -> None:
     model_file.read_document = spoiled
 
 
+def wrong_speeds() -> None:
+    """Angular velocities of links are a millionth too large."""
+    from linkwright.kernels.compiled import Compiled
+
+    rows = Compiled.closed_form_rows
+
+    def spoiled(self: Any, names: Any, t: Any, rates: bool = False) -> Any:
+        found = rows(self, names, t, rates)
+        for k, name in enumerate(names):
+            if isinstance(name, str) and name.endswith(".omega"):
+                found[2 * k if rates else k] *= 1 + 1e-6
+        return found
+
+    Compiled.closed_form_rows = spoiled  # type: ignore[method-assign]
+
+
+def rare_kind() -> None:
+    """The verification of differentials raises a KeyError."""
+    from linkwright.elements.differential import Differential
+
+    def spoiled(*_: Any) -> Any:
+        raise KeyError("shaft")
+
+    Differential.restated = spoiled  # type: ignore[method-assign]
+
+
+def dividing_table() -> None:
+    """Tables with quintic splines divide by zero."""
+    import numpy as np
+
+    from linkwright.laws.table import TableLaw
+
+    made = TableLaw.__post_init__
+
+    def spoiled(self: TableLaw) -> None:
+        made(self)
+        if self.degree == 5:
+            np.divide(self.x, np.zeros_like(self.x))
+
+    TableLaw.__post_init__ = spoiled  # type: ignore[method-assign]
+
+
 def _everywhere(name: str, old: Any, new: Any) -> None:
     """Put a function in the place of another, in all modules that have imported it."""
     import sys
@@ -174,5 +216,8 @@ PLANTS: dict[str, Plant] = {
         (memory_by_a_number, "expressions", "memory"),
         (other_answers, "samples", "differs the second time"),
         (silent_refusal, "text", "accepts"),
+        (wrong_speeds, "mechanisms", "unproven"),
+        (rare_kind, "mechanisms", "KeyError"),
+        (dividing_table, "mechanisms", "RuntimeWarning"),
     )
 }

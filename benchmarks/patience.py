@@ -21,15 +21,19 @@ def spread(work: Callable[[int], T], seeds: Iterable[int], jobs: int, chunk: int
         yield from pool.imap_unordered(work, seeds, chunksize=chunk)
 
 
+class OutOfTime(BaseException):
+    """What took too long; an exception that no code of the program handles as one of its own."""
+
+
 @contextlib.contextmanager
 def limited(seconds: float) -> Iterator[None]:
-    """Raises :class:`TimeoutError` after some seconds of this process' own time, where the system can tell."""
+    """Raises :class:`OutOfTime` after some seconds of this process' own time, where the system can tell."""
     if not hasattr(signal, "setitimer"):
         yield
         return
 
     def late(*_: Any) -> None:
-        raise TimeoutError(f"over {seconds:g} s")
+        raise OutOfTime(f"over {seconds:g} s")
 
     before = signal.signal(signal.SIGPROF, late)
     signal.setitimer(signal.ITIMER_PROF, seconds)

@@ -28,7 +28,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 from judge import Judge
-from patience import limited, spread
+from patience import OutOfTime, limited, spread
 from sketches import PERIOD, Sketch, sketch
 
 from linkwright.app.job import examine_document, perform
@@ -71,7 +71,7 @@ def judged(seed: int) -> Verdict:
         warnings.simplefilter("error")
         try:
             run(s, verdict)
-        except Exception as error:
+        except (Exception, OutOfTime) as error:
             verdict.came = type(error).__name__
             place = traceback.extract_tb(error.__traceback__)[-1]
             verdict.faults.append(f"{type(error).__name__} in {place.filename}:{place.lineno} {place.name}: {error}")

@@ -25,7 +25,7 @@ import warnings
 from pathlib import Path
 from typing import Any
 
-from patience import limited, spread
+from patience import OutOfTime, limited, spread
 
 sys.path.append(str(Path(__file__).resolve().parent.parent / "tests"))
 
@@ -46,7 +46,7 @@ def tried(seed: int) -> Outcome:
         try:
             with limited(PATIENCE):
                 return judged_case(seed)
-        except Exception as error:
+        except (Exception, OutOfTime) as error:
             text = f"{type(error).__name__}: {error}"[:300]
             return Outcome(seed, make(seed).family, [Verdict("", RAISED, text)], float(PATIENCE))
 

@@ -49,6 +49,16 @@ def test_planted_faults_are_found() -> None:
     assert len(done.stdout.splitlines()) == len(script.PLANTS) >= 5
 
 
+@posix
+@pytest.mark.parametrize(
+    ("seed", "count"), [(0, 20), pytest.param(20, 200, marks=pytest.mark.long)], ids=["few", "more"]
+)
+def test_a_share_of_grown_mechanisms(seed: int, count: int) -> None:
+    done = fuzz("--class", "mechanisms", "--seed", seed, "--count", count, "--jobs", 1)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert f"cases {count}, failures 0" in done.stdout
+
+
 def test_cases_come_again_by_their_seed() -> None:
     assert [fuzz_cases.case_of(seed) for seed in range(20)] == [fuzz_cases.case_of(seed) for seed in range(20)]
     assert len({case.files[fuzz_cases.MODEL] for case in map(fuzz_cases.case_of, range(60))}) > 50
@@ -93,6 +103,8 @@ def test_time_that_is_not_used_up() -> None:
         ({"line": None, "element": ""}, "neither line nor element"),
         ({"what": "Expected a number, got None."}, "says"),
         ({"mend": " "}, "says"),
+        ({"code": "motion.unproven"}, "unproven"),
+        ({"code": "reactions.unproven"}, "unproven"),
     ],
 )
 def test_gaps(changed: dict[str, Any], gap: str) -> None:

@@ -159,3 +159,30 @@ def test_mutated_files_are_refused_or_run(seeds: range) -> None:
             compiled.evaluate(["motor.torque"], np.linspace(0.0, 0.5, 5))
         outcomes["run"] += 1
     assert min(outcomes.values()) > 0.02 * len(seeds)  # both happen
+
+
+YOKE = YAML(typ="safe").load((Path(__file__).parents[2] / "examples" / "scotch_yoke_friction.yaml").read_text("utf-8"))
+WEDGE = YAML(typ="safe").load((Path(__file__).parents[2] / "examples" / "wedge_lift.yaml").read_text("utf-8"))
+
+
+@pytest.mark.parametrize("data", [EXAMPLE, YOKE, WEDGE], ids=["pins and a slide", "a contact", "a loop of slides"])
+@pytest.mark.parametrize("static", [False, True])
+def test_where_no_force_acts_no_friction_does(data: dict[str, Any], static: bool) -> None:
+    """Without masses, loads and springs all forces are zero, exactly: no round-off that a check would call wrong."""
+    data = copy.deepcopy(data)
+    for section in ("gravity", "loads", "springs", "counterweights", "measures", "require", "windows"):
+        data.pop(section, None)
+    for link in data["links"].values():
+        for key in ("mass", "shape", "com", "inertia"):
+            link.pop(key, None)
+    for entry in data["friction"].values():
+        entry.pop("viscous", None)
+        entry.update({"coefficient": 0.1, **({"static": 0.15} if static else {})})
+    data["studies"] = {"cycle": {**data["studies"]["cycle"], "samples": 6}}
+    job = lw.run(lw.Document.model_validate(data))
+    assert [finding for finding in job.found if finding.severity == "error"] == []
+    assert job.cycle is not None
+    result = job.cycle.result
+    efforts = [f"{name}.{'moment' if 'pin' in entry else 'force'}" for name, entry in data["friction"].items()]
+    efforts += [f"{name}.{'torque' if 'turns' in drive else 'force'}" for name, drive in data["drives"].items()]
+    assert [effort for effort in efforts if np.any(result[effort])] == []

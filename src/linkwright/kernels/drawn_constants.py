@@ -9,7 +9,7 @@ number may be zero by symmetry, as that of an offset beside a straight line.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from copy import copy
 
 import numpy as np
@@ -48,15 +48,35 @@ class DrawnConstants:
                     self.bases.append((other, constants))
                     break
 
-    def joint_that_asks(self, name: str) -> str | None:
-        """The first joint whose constants depend on a number; ``None`` where none does."""
+    def joints_that_ask(self, names: Iterable[str]) -> dict[str, str]:
+        """Of some numbers those on which constants depend, each with the first joint whose constants do."""
+        rest, found = [*names], dict[str, str]()
         for base, constants in self.bases:
             for share in (OFF, -OFF):
-                there = self._assembled(_with(base, {name: self._off(base, name, share)}))
-                for joint, before in constants.items():
-                    if there is not None and not self._same(there.get(joint, ()), before):
-                        return joint
-        return None
+                found |= self._asking(rest, base, constants, share)
+                rest = [name for name in rest if name not in found]
+        return found
+
+    def _asking(
+        self, names: list[str], base: Quantities, constants: Constants, share: float, sure: bool = False
+    ) -> dict[str, str]:
+        """The same of one place: numbers that change nothing together, each by a share of its own, change nothing
+        alone; others are halved. ``sure``: it is known that some of them change something."""
+        if not names:
+            return {}
+        if len(names) == 1 or not sure:
+            shares = [share] if len(names) == 1 else [share * (0.5 + k * GOLDEN % 1) for k in range(len(names))]
+            off = {name: self._off(base, name, own) for name, own in zip(names, shares, strict=True)}
+            there = self._assembled(_with(base, off))
+            if there is None and len(names) == 1:
+                return {}
+            changed = [j for j, c in constants.items() if there is None or not self._same(there.get(j, ()), c)]
+            if not changed or len(names) == 1:
+                return dict.fromkeys(names, changed[0]) if changed else {}
+            sure = there is not None
+        half = len(names) // 2
+        found = self._asking(names[:half], base, constants, share)
+        return found | self._asking(names[half:], base, constants, share, sure and not found)
 
     def _same(self, after: tuple[float, ...], before: tuple[float, ...]) -> bool:
         tolerance = SAME * max(self.size, 1.0)

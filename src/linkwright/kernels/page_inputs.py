@@ -76,8 +76,7 @@ def locked_parameters(compiled: Compiled, free: Iterable[str]) -> dict[str, Find
     fixed |= {("tables", name): table.names for name, table in compiled.tables.items()}
     counted = [site for site in compiled.quantities.fields if isinstance(site, QuantityPlace)]
     whole = [(site.path, names_in(e.node)) for site in counted for e, of in site.parts if of.whole]
-    drawn = DrawnConstants(compiled)
-    for name in free:
+    for name in (names := [*free]):
         try:
             Varied(compiled, [name])
         except ModelError as error:
@@ -92,9 +91,10 @@ def locked_parameters(compiled: Compiled, free: Iterable[str]) -> dict[str, Find
             if varying & names:
                 why = Finding("varied.locked", path, {"name": name, "where": path[1]}, severity="note")
                 found.setdefault(name, why)
-        if name not in found and (joint := drawn.joint_that_asks(name)) is not None:
-            data = {"name": name, "joint": joint}
-            found[name] = Finding("varied.drawn", ("joints", joint), data, severity="note")
+    asking = DrawnConstants(compiled).joints_that_ask(name for name in names if name not in found)
+    for name, joint in asking.items():
+        data = {"name": name, "joint": joint}
+        found[name] = Finding("varied.drawn", ("joints", joint), data, severity="note")
     return found
 
 
