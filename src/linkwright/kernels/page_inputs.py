@@ -76,7 +76,7 @@ def locked_parameters(compiled: Compiled, free: Iterable[str]) -> dict[str, Find
     fixed |= {("tables", name): table.names for name, table in compiled.tables.items()}
     counted = [site for site in compiled.quantities.fields if isinstance(site, QuantityPlace)]
     whole = [(site.path, names_in(e.node)) for site in counted for e, of in site.parts if of.whole]
-    for name in (names := [*free]):
+    for name in (asked := [*free]):
         try:
             Varied(compiled, [name])
         except ModelError as error:
@@ -91,7 +91,7 @@ def locked_parameters(compiled: Compiled, free: Iterable[str]) -> dict[str, Find
             if varying & names:
                 why = Finding("varied.locked", path, {"name": name, "where": path[1]}, severity="note")
                 found.setdefault(name, why)
-    asking = DrawnConstants(compiled).joints_that_ask(name for name in names if name not in found)
+    asking = DrawnConstants(compiled).joints_that_ask(name for name in asked if name not in found)
     for name, joint in asking.items():
         data = {"name": name, "joint": joint}
         found[name] = Finding("varied.drawn", ("joints", joint), data, severity="note")
