@@ -93,6 +93,14 @@ class StillGraph(Graph):
     def _bare(self) -> View:
         return self._view(0)
 
+    @cached_property
+    def _at_rest(self) -> Motion:
+        return self.motion()
+
+    def wraps(self, owner: str) -> bool:
+        """Asked of the pose alone: what the inputs are depends on it, and the view on the inputs."""
+        return self._at_rest.bodies[owner].angle is None
+
     def wrapped(self, named: Named) -> bool:
         """No angle jumps where nothing moves."""
         return False
