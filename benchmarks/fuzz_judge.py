@@ -44,6 +44,8 @@ LONGER = {"workspace": 50.0, "mechanisms": 95.0}
 groups solved by Newton's method, with a page that computes them."""
 MEMORY = 900
 """MiB that a case may add to the process."""
+MORE_MEMORY = {"mechanisms": 600}
+"""More MiB for some classes."""
 TWICE = 8
 """Every so manieth case is performed twice."""
 QUOTED, GAP = re.compile(r"'.*'", re.DOTALL), re.compile(r"\b(None|nan)\b")
@@ -83,7 +85,7 @@ def judge(case: Case) -> Verdict:
     done = performed(case)
     verdict.seconds, verdict.mebibytes = sum(os.times()[:2]) - start, max(0.0, _peak() - before)
     verdict.code, verdict.faults = done.code, done.faults
-    if verdict.mebibytes > MEMORY:
+    if verdict.mebibytes > MEMORY + MORE_MEMORY.get(case.kind, 0):
         verdict.faults.append(f"memory: {verdict.mebibytes:.0f} MiB")
     if not done.faults:
         verdict.came = tuple(_findings(done, case, verdict.faults))
