@@ -9,7 +9,8 @@ import pytest
 
 import linkwright as lw
 from linkwright.compilation import compile_mechanism
-from linkwright.elements.entries import ENTRIES
+from linkwright.elements.entries import ENTRIES, ElementEntry
+from linkwright.elements.kind_modules import KIND_MODULES
 from linkwright.kernels import Compiled
 
 UNITS = {"length": "mm", "angle": "deg", "mass": "kg", "time": "s", "force": "N", "torque": "N*m"}
@@ -137,10 +138,11 @@ def test_a_mirror_image_of_a_mirror_image_is_the_thing_itself() -> None:
 
 
 OTHERS: dict[str, dict[str, Any]] = {
-    "drives": {"servo": {"turns": "rocker", "on": "coupler", "speed": 1, "start": 0}},
-    "loads": {"wind": {"on": "rocker", "at": "C", "force": [10, 0]}},
-    "springs": {"twist": {"turns": "rocker", "on": "frame", "stiffness": 1, "free": 0}},
+    "drives": {"servo": {"turns": "rocker", "on": "crank", "speed": 1, "start": 0}},
+    "loads": {"wind": {"on": "rocker", "at": "C", "force": [10, "2 N*sin(crank.angle)"]}},
+    "springs": {"twist": {"turns": "rocker", "on": "crank", "stiffness": 1, "free": 0}},
 }
+"""What is between the copy and a link that isn't mirrored, or follows it."""
 
 
 @pytest.mark.parametrize("section", OTHERS)
@@ -165,7 +167,29 @@ def test_lines_on_links_that_stay_are_refused() -> None:
     assert [f.data["name"] for f in found] == ["guide"]
 
 
-def test_every_kind_is_mirrored_or_refused_by_name() -> None:
-    """Those that say how they are mirrored are the ones above; a new one has its case there."""
-    kinds = {kind for entries in ENTRIES.values() for kind, entry in entries.items() if "mirrored" in vars(entry)}
-    assert kinds == {"pin_in_slot"}
+def test_every_kind_is_mirrored() -> None:
+    """How each is, the column of mirrored copies in combinations/test_matrix.py says."""
+    kinds = {kind: entry for entries in ENTRIES.values() for kind, entry in entries.items() if kind in KIND_MODULES}
+    assert {kind for kind, entry in kinds.items() if entry.mirrored is ElementEntry.mirrored} == set()
+
+
+def test_loads_and_windows_in_a_mirror() -> None:
+    """Vectors in the frame and in a link, torques, what they follow, and when."""
+    half = {**HALF, "loads": {**HALF["loads"]}}
+    half["windows"] = {"high": {"rocker.angle": [60, 200]}, "early": {"C.x": [0, 500]}}
+    half["loads"] |= {
+        "wind": {"on": "rocker", "at": "C", "force": ["20 N + 3 N*s/m*C.vx", -15]},
+        "cut": {"on": "coupler", "at": [30, 5], "force": [12, "0.2 N/mm*(C.x - 40 mm)"], "in": "coupler"},
+        "brake": {
+            "on": "rocker",
+            "against": "coupler",
+            "torque": "0.4*sin(rocker.angle) - 0.02*rocker.omega/(1 rad/s)",
+        },
+        "tap": {"on": "rocker", "at": "C", "force": [0, -25], "window": "high"},
+        "pat": {"on": "rocker", "at": "C", "force": [9, 0], "window": "early"},
+    }
+    half["springs"] = {"twist": {"turns": "rocker", "on": "frame", "stiffness": 3, "free": 70, "preload": 0.4}}
+    made = compile_mechanism(lw.Document.model_validate(both(half, at=[SHIFT, 0])))
+    left, right = made.evaluate(["motor.torque", "other.torque"], T)
+    assert np.ptp(left) > 0.5
+    np.testing.assert_allclose(right, -left, rtol=1e-7, atol=1e-7)

@@ -8,7 +8,7 @@ way round, at that of the motor, so that both do no work together.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
 from pydantic import Field
@@ -26,6 +26,7 @@ from linkwright.elements.follower import (
     register_follower,
 )
 from linkwright.elements.joint import Applied, Restated
+from linkwright.elements.mirror import Mirror
 from linkwright.elements.mover import exerted
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression
@@ -46,6 +47,14 @@ class CouplingEntry(FollowerEntry):
     expression: Annotated[Expression, of_drive(u.ANGLE, u.LENGTH, lambda c: c.name, Scope.FOLLOWS)] = Field(
         alias="follows"
     )
+
+    def mirrored(self, name: str, mirror: Mirror) -> Self:
+        """The same coupling seen in a mirror: an angle that follows counts the other way round."""
+        mirror.holds(*self.coupling)
+        follows = mirror.expression(self.expression)
+        if mirror.turns(*self.coupling):
+            follows = mirror.angle(*self.coupling).image(follows)
+        return self.model_copy(update={"expression": follows})
 
     @property
     def asked(self) -> list[str]:

@@ -17,7 +17,7 @@ Shigley, Theory of Machines and Mechanisms, 4th ed. (2011), ch. 9 (Willis' formu
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
 from pydantic import BeforeValidator
@@ -40,6 +40,7 @@ from linkwright.elements.joint import (
     Restated,
     register,
 )
+from linkwright.elements.mirror import Mirror
 from linkwright.elements.pins import pins
 from linkwright.elements.pitch import continuous_angle
 from linkwright.elements.points import FRAME
@@ -88,6 +89,11 @@ class DifferentialEntry(JointEntry):
         shafts, weights = given.get("differential"), given.get("weights")
         if isinstance(shafts, list | tuple) and isinstance(weights, list | tuple) and len(shafts) != len(weights):
             yield "differential.count", {"shafts": len(shafts), "weights": len(weights)}, "weights"
+
+    def mirrored(self, name: str, mirror: Mirror) -> Self:
+        """The same differential seen in a mirror: all shafts turn the other way round."""
+        mirror.holds(*self.links)
+        return self
 
     @property
     def links(self) -> tuple[str, ...]:

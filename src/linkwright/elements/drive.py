@@ -10,7 +10,9 @@ from pydantic import ConfigDict, Field
 
 from linkwright.elements.fields import LinkName
 from linkwright.elements.joint import Applied, JointGeometry
+from linkwright.elements.mirror import Mirror, Reflection
 from linkwright.elements.mover import TRAVEL, TURN, MoverReports, MoverSignals, exerted
+from linkwright.elements.points import FRAME
 from linkwright.elements.prescribed import Track
 from linkwright.elements.stated_law import StatedLaw
 from linkwright.expressions import units as u
@@ -52,6 +54,20 @@ class Drive(MoverSignals, StatedLaw, Frozen):
             yield "drive.point", {}
         if "output" not in given or given.keys() & {"speed", "start", "acceleration", "position"}:
             yield from cls.law_faults(given)  # of one whose output is a path, the path has the law
+
+    def mirrored(self, name: str, mirror: Mirror) -> Self:
+        """The same drive seen in a mirror: an angle counts the other way round, a value along a line stays."""
+        mirror.holds(*filter(None, (self.turns, self.slides, self.moves, self.on_)))
+        made = self
+        if self.along is not None:
+            made = self.model_copy(update={"along": mirror.line(self.on, self.along)})
+        turning, on = (self.turns, self.on) if self.output is None else (self.output, FRAME)
+        if turning is None or (self.output is not None and self.output not in mirror.links):
+            return made  # the law is that of a travel
+        value, rate = mirror.angle(turning, on), Reflection(True)
+        seen = {"start": value, "position": value, "speed": rate, "acceleration": rate}
+        laws = {key: law for key in seen if (law := getattr(self, key)) is not None}
+        return made.model_copy(update={key: seen[key].image(law) for key, law in laws.items()})
 
     @property
     def on(self) -> str:

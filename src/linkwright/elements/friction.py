@@ -34,12 +34,12 @@ from linkwright.elements.force import (
     register,
 )
 from linkwright.elements.joint import Applied, Restated
-from linkwright.elements.mirror import Mirror, NotMirroredError
+from linkwright.elements.mirror import Mirror
 from linkwright.elements.pins import pins
 from linkwright.elements.touch import Reacting
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Name
-from linkwright.expressions.language import FUNCTIONS, Call, is_signal, nodes, signals_in
+from linkwright.expressions.language import FUNCTIONS, Call, is_signal, nodes
 from linkwright.expressions.language import Name as Signal
 from linkwright.expressions.typed_fields import Context, Path, Quantity, Ref, Scope, Sign
 from linkwright.expressions.units import Dimension
@@ -110,11 +110,10 @@ class Friction(ForceEntry):
             yield more, Sign.NOT_NEGATIVE, ("friction.static-less", data, "static")
 
     def mirrored(self, name: str, mirror: Mirror) -> Self:
-        """The same friction seen in a mirror: it works against the motion either way. A coefficient that follows the
-        motion may ask signals that change their sign."""
-        if self.coefficient is not None and signals_in(self.coefficient.node):
-            raise NotMirroredError
-        return self
+        """The same friction seen in a mirror: it works against the motion either way."""
+        if self.coefficient is None:
+            return self
+        return self.model_copy(update={"coefficient": mirror.expression(self.coefficient)})
 
     @property
     def turns(self) -> bool:

@@ -15,11 +15,10 @@ from linkwright.elements.entries import ForceEntry
 from linkwright.elements.fields import At, Vector
 from linkwright.elements.force import ForceContext, ForceKind, ForceReports, Use, register
 from linkwright.elements.joint import Applied
-from linkwright.elements.mirror import Mirror, NotMirroredError
+from linkwright.elements.mirror import Mirror, Reflection
 from linkwright.elements.points import FRAME
 from linkwright.expressions.dimensions import crossed
 from linkwright.expressions.fields import Expression, Name
-from linkwright.expressions.language import signals_in
 from linkwright.expressions.typed_fields import Path, Quantity, Ref, Scope
 from linkwright.expressions.units import FORCE, TORQUE, Dimension
 from linkwright.expressions.written import Fault
@@ -65,16 +64,22 @@ class Load(ForceEntry):
             yield "load.in", {}
 
     def mirrored(self, name: str, mirror: Mirror) -> Self:
-        """The same load seen in a mirror, where it is a force along a slide that doesn't follow the motion."""
-        if self.along is None or self.torque is not None or isinstance(self.force, tuple) or self.force is None:
-            raise NotMirroredError
-        if signals_in(self.force.node):
-            raise NotMirroredError
-        return (
-            self
-            if isinstance(self.at, str) or self.at is None
-            else self.model_copy(update={"at": mirror.position(self.on, self.at)})
-        )
+        """The same load seen in a mirror: of a vector the component along the mirrored axis has the other sign, and so
+        has a torque."""
+        axes = self.in_ or FRAME
+        mirror.holds(self.on, axes, *filter(None, (self.against,)))
+        update: dict[str, Any] = {}
+        if self.at is not None and not isinstance(self.at, str):
+            update["at"] = mirror.position(self.on, self.at)
+        if isinstance(self.force, tuple):
+            x, y = map(mirror.expression, self.force)
+            other = Reflection(True)
+            update["force"] = (other.image(x), y) if axes == FRAME else (x, other.image(y))
+        elif self.force is not None:
+            update["force"] = mirror.expression(self.force)
+        if self.torque is not None:
+            update["torque"] = Reflection(True).image(mirror.expression(self.torque))
+        return self.model_copy(update=update)
 
     @property
     def parts(self) -> tuple[tuple[Expression, Dimension], ...]:

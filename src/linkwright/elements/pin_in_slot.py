@@ -36,7 +36,7 @@ from linkwright.elements.joint import (
     Restated,
     register,
 )
-from linkwright.elements.mirror import Mirror, NotMirroredError
+from linkwright.elements.mirror import Mirror, Reflection
 from linkwright.elements.touch import Reacting, ReportedTouch, Touch
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen, LineOn, Name, Two, fault, pair
@@ -104,12 +104,24 @@ class PinInSlotEntry(JointEntry):
             yield "joint.slot", {"given": Joined(slots) or "-"}
 
     def mirrored(self, name: str, mirror: Mirror) -> Self:
-        """The same straight slot seen in a mirror: its flanks change sides. The travel of others counts the other way
-        round."""
-        if self.straight is None:
-            raise NotMirroredError
-        flank = {"left": "right", "right": "left"}.get(self.flank, self.flank)
-        return self.model_copy(update={"straight": mirror.line(self.pin_in_slot[1], self.straight), "flank": flank})
+        """The same slot seen in a mirror: its flanks change sides. The travel of an arc is counter-clockwise there too:
+        it has the other sign, and the flanks stay."""
+        link, other = self.pin_in_slot[1], Reflection(True)
+        mirror.holds(*self.pin_in_slot)
+        if self.arc is not None:
+            start = mirror.line(link, LineOn(f"{self.arc.centre} at {self.arc.start.text}")).angle
+            update: dict[str, Any] = {"arc": self.arc.model_copy(update={"start": start})}
+            if self.travel is not None:
+                update["travel"] = (other.image(self.travel[1]), other.image(self.travel[0]))
+            return self.model_copy(update=update)
+        update = {"flank": {"left": "right", "right": "left"}.get(self.flank, self.flank)}
+        if self.straight is not None:
+            update["straight"] = mirror.line(link, self.straight)
+        if self.curve is not None:
+            along = mirror.line(link, self.curve.along)
+            through = tuple((s, other.image(across)) for s, across in self.curve.through)
+            update["curve"] = self.curve.model_copy(update={"along": along, "through": through})
+        return self.model_copy(update=update)
 
     @property
     def joint_points(self) -> tuple[str, ...]:

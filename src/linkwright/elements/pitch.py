@@ -17,7 +17,7 @@ ed. (2011), ch. 7 and 9 (pitch circles; relative angles on a carrier, Willis' fo
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Annotated, Any, ClassVar, NamedTuple
+from typing import Annotated, Any, ClassVar, NamedTuple, Self
 
 import numpy as np
 from pydantic import BeforeValidator
@@ -37,6 +37,7 @@ from linkwright.elements.joint import (
     Reaction,
     Restated,
 )
+from linkwright.elements.mirror import Mirror
 from linkwright.elements.pins import pins
 from linkwright.elements.points import FRAME
 from linkwright.expressions import units as u
@@ -62,6 +63,11 @@ class WheelsEntry(JointEntry):
         BeforeValidator(pair("two-points")),
     ]
     carrier: Annotated[Name, Ref("link")] = FRAME
+
+    def mirrored(self, name: str, mirror: Mirror) -> Self:
+        """The same wheels seen in a mirror: all turn the other way round."""
+        mirror.holds(*self.wheels, self.carrier)
+        return self
 
     @property
     def wheels(self) -> tuple[str, str]:

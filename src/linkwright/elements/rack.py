@@ -17,7 +17,7 @@ Source: G. Niemann, H. Winter, Maschinenelemente II (2003), ch. 21; ISO 21771 (2
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Annotated, Any, ClassVar, NamedTuple
+from typing import Annotated, Any, ClassVar, NamedTuple, Self
 
 import numpy as np
 
@@ -41,6 +41,7 @@ from linkwright.elements.joint import (
     Restated,
     register,
 )
+from linkwright.elements.mirror import Mirror
 from linkwright.elements.pitch import continuous_angle, pinned_point
 from linkwright.elements.points import FRAME
 from linkwright.expressions import units as u
@@ -76,6 +77,11 @@ class RackEntry(JointEntry):
         sizes = [key for key in ("radius", "teeth", "module") if key in given]
         if sizes not in (["radius"], ["teeth", "module"]):
             yield "gears.pinion", {"given": " ".join(sizes) or "-"}
+
+    def mirrored(self, name: str, mirror: Mirror) -> Self:
+        """The same rack and pinion seen in a mirror."""
+        mirror.holds(self.rack[0], self.carrier)
+        return self.model_copy(update={"pitch_line": mirror.line(self.rack[1], self.pitch_line)})
 
     @property
     def joint_points(self) -> tuple[str, ...]:

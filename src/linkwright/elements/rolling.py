@@ -20,7 +20,7 @@ G. Kraige, Engineering Mechanics: Dynamics, 7th ed. (2012), 5/4, 6/4 (rolling)."
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Annotated, Any, ClassVar, NamedTuple
+from typing import Annotated, Any, ClassVar, NamedTuple, Self
 
 import numpy as np
 
@@ -42,6 +42,7 @@ from linkwright.elements.joint import (
     Restated,
     register,
 )
+from linkwright.elements.mirror import Mirror
 from linkwright.elements.pitch import continuous_angle
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen, LineOn, Name
@@ -77,6 +78,13 @@ class RollingEntry(JointEntry):
         paths = [key for key in ("on_line", "on_circle") if key in given]
         if len(paths) != 1:
             yield "gears.path", {"given": " ".join(paths) or "-"}
+
+    def mirrored(self, name: str, mirror: Mirror) -> Self:
+        """The same disc seen in a mirror."""
+        mirror.holds(*self.rolling)
+        if self.on_line is None:
+            return self
+        return self.model_copy(update={"on_line": mirror.line(self.rolling[1], self.on_line)})
 
     @property
     def joint_points(self) -> tuple[str, ...]:

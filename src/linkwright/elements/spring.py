@@ -28,8 +28,8 @@ from linkwright.elements.force import (
     register,
 )
 from linkwright.elements.joint import Applied, Restated
-from linkwright.elements.mirror import Mirror, NotMirroredError
-from linkwright.elements.points import links_of_points
+from linkwright.elements.mirror import Mirror, NotMirroredError, Reflection
+from linkwright.elements.points import FRAME, links_of_points
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Name
 from linkwright.expressions.language import Name as Signal
@@ -84,10 +84,14 @@ class Spring(ForceEntry):
     length: Annotated[Interval | None, PART_LENGTH] = None
 
     def mirrored(self, name: str, mirror: Mirror) -> Self:
-        """The same spring seen in a mirror. A torsional one would turn the other way round."""
-        if self.torsional:
+        """The same spring seen in a mirror. A torsional one turns the other way round; its table can't."""
+        if not self.torsional:
+            return self
+        if self.torque is not None:
             raise NotMirroredError
-        return self
+        seen = {"free": mirror.angle(self.turns or FRAME, self.on or FRAME), "preload": Reflection(True)}
+        stated = {key: value for key in seen if (value := getattr(self, key)) is not None}
+        return self.model_copy(update={key: seen[key].image(value) for key, value in stated.items()})
 
     def number_faults(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[NumberFault]:
         if self.gas is not None and self.progression is not None:

@@ -8,7 +8,7 @@ shear force from the pin, the bending moment from the weld. It is stated as a va
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
 
@@ -25,6 +25,7 @@ from linkwright.elements.follower import (
     register_follower,
 )
 from linkwright.elements.joint import Applied, Restated
+from linkwright.elements.mirror import Mirror
 from linkwright.elements.mover import exerted
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression
@@ -41,6 +42,10 @@ class WeldEntry(FollowerEntry):
 
     weld: TwoLinks
     angle: Annotated[Expression, Quantity(u.ANGLE)]
+
+    def mirrored(self, name: str, mirror: Mirror) -> Self:
+        """The same weld seen in a mirror: on the other side."""
+        return self.model_copy(update={"angle": mirror.angle(*self.weld).image(self.angle)})
 
 
 @register_follower

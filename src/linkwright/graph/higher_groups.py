@@ -25,7 +25,7 @@ from linkwright.groups.linear import Factor
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
 from linkwright.notation.jets import call
 from linkwright.notation.planar import unit_vector
-from linkwright.structure import Connection, HigherGroup, LinkPlacement
+from linkwright.structure import FRAME, Connection, HigherGroup, LinkPlacement
 
 if TYPE_CHECKING:
     from linkwright.graph.motion import Motion, Unknowns
@@ -431,6 +431,8 @@ def _starts(
             continue
         told = _sketched_coordinate(motion, step, edge, sketch, drives)
         around = [k * math.pi / 4 for k in range(8)]
+        if edge.link in motion.geometry.mechanism.turned:
+            around = [(math.pi if edge.base == FRAME else 0.0) - angle for angle in around]
         if not edge.joint.kind.angular:
             around = [k * reach / 2 for k in (0, 1, -1, 2, -2)]
         options.append([told] if told is not None else around)

@@ -266,19 +266,25 @@ def _end_rates(
 
 
 def _unmirrored(segments: Sequence[Segment], curves: Sequence[Curve], made: Motion) -> list[MotionFault]:
-    """Laws that end with an acceleration where no mirror image of theirs goes on with it."""
+    """Laws that end with an acceleration where no mirror image of theirs goes on with it; where they end without one,
+    a jump is that of their neighbour."""
     if not any(segment.mirrored for segment in segments):
         return []
+
+    def jump(step: Scalar) -> Any:
+        return made.curve.jumps(step, 2, ALIKE)
+
     still = (0.0,) * 3
     ends = [tuple(rates(part, at, 2) for part, at in _outer(curve)) for curve in curves]
     around = ((still, still),) if made.beyond == "hold" else ()
     row = [*(around or ends[-1:]), *ends, *(around or ends[:1])]
-    jumps = [made.curve.jumps(after[0][2] - before[1][2], 2, ALIKE) for before, after in pairwise(row)]
-    return [
-        MotionFault("law.end-acceleration", i, {"law": segment.mirrored}, either(jumps[i], jumps[i + 1]))
-        for i, segment in enumerate(segments)
-        if segment.mirrored
-    ]
+    joins = [jump(after[0][2] - before[1][2]) for before, after in pairwise(row)]
+    faults = []
+    for i, segment in enumerate(segments):
+        if segment.mirrored:
+            own = [call("logical_and", join, jump(end[2])) for join, end in zip(joins[i : i + 2], ends[i], strict=True)]
+            faults.append(MotionFault("law.end-acceleration", i, {"law": segment.mirrored}, either(*own)))
+    return faults
 
 
 def _outer(curve: Curve) -> tuple[tuple[SmoothPart, Scalar], tuple[SmoothPart, Scalar]]:

@@ -14,15 +14,15 @@ from typing import Any
 from pydantic_core import PydanticCustomError
 
 from linkwright.data_classes import dataclass
-from linkwright.elements.mirror import Mirror, NotMirroredError, mirrored
+from linkwright.elements.mirror import NotMirroredError, mirrored
 from linkwright.expressions.fields import AssemblyRule, Expression, FrozenDict
 from linkwright.expressions.parser import names_at
 from linkwright.expressions.unknown import near, unknown
 from linkwright.expressions.written import MAX_NAME
 from linkwright.findings import Finding, Joined
 from linkwright.model.copy_entry import NO_TOLERANCE, Copy, CopyParameter
-from linkwright.model.cylinders import with_cylinders
 from linkwright.model.mechanism import FRAME, MAX_ENTRIES, MAX_LINKS, Mechanism, mechanism_of
+from linkwright.model.mirrored_signals import mirror_of, mirrored_window
 from linkwright.model.number_places import stands_for_number
 from linkwright.model.parts import Link, Parameter
 from linkwright.model.placed_copies import (
@@ -43,7 +43,7 @@ from linkwright.model.walk import all_fields
 
 MAX_DEPTH = 20
 """So many sub-assemblies may stand in one another."""
-UNMIRRORED = ("parameters", "tables", "laws", "windows", "measures", "require")
+UNMIRRORED = ("parameters", "tables", "laws", "measures", "require")
 """The sections that have no place in the plane."""
 
 
@@ -80,6 +80,8 @@ class _Made:
     shared: dict[str, Link]
     """The points that it adds to links of others."""
     copies: tuple[PlacedCopy, ...] = ()
+    turned: frozenset[str] = frozenset()
+    """Those of its links that are mirrored."""
 
 
 @dataclass
@@ -149,6 +151,7 @@ class _Placing:
         entries: dict[str, dict[str, Any]] = {section: dict(getattr(m, section)) for section in SECTIONS}
         copies: list[PlacedCopy] = []
         failed: set[str] = set()
+        turned = m.turned
         for name, copy in m.copies.items():
             at = (*path, "copies", name)
             if (count := len(copies) + 1 + self._copies_within(copy)) > MAX_ENTRIES:
@@ -158,10 +161,12 @@ class _Placing:
                 failed.add(name)
             else:
                 copies += made.copies
+                turned |= made.turned
         plain = {"copies": FrozenDict(), "subassemblies": FrozenDict()}
         merged = {section: FrozenDict(found) for section, found in entries.items()}
         self._check_joins(m, copies, {FRAME, *ports}, path)
-        return Placed(m.model_copy(update=merged | plain), tuple(copies), failed=frozenset(failed))
+        whole = m.model_copy(update=merged | plain).with_turned(turned)
+        return Placed(whole, tuple(copies), failed=frozenset(failed))
 
     def _copies_within(self, copy: Copy) -> int:
         """The copies, of any depth, in what a copy is of."""
@@ -246,7 +251,7 @@ class _Placing:
         self, name: str, copy: Copy, path: Path, flat: Placed, renaming: Renaming, ports: tuple[str, ...]
     ) -> _Made:
         m, shared = flat.mechanism, (FRAME, *ports)
-        mirror = Mirror({renaming.name(link) for link in with_cylinders(m).links if link not in shared})
+        mirror = mirror_of(m, renaming.names["element"], shared, copy.at)
         made = _Made({section: {} for section in SECTIONS}, {})
         for section, entries in made.entries.items():
             attribute, spec = all_fields(type(m))[section]
@@ -254,7 +259,8 @@ class _Placing:
                 value = renaming.value(entry, spec.item(0))
                 if copy.mirrored and section not in UNMIRRORED:
                     try:
-                        value = mirrored(value, renaming.name(old), mirror)
+                        seen = mirrored_window if section == "windows" else mirrored
+                        value = seen(value, renaming.name(old), mirror)
                     except NotMirroredError:
                         self.note("subassembly.mirrored", (*path, "mirrored"), name=old, section=section, of=copy.of)
                 if section == "links" and len(value.points) < len(entry.points):
@@ -272,6 +278,8 @@ class _Placing:
                 made.entries["parameters"][new] = _given(stated, made.entries["parameters"][new])
                 given[new] = (*path, "parameters", old)
         own = placed_copy(path, copy.of, flat, renaming, ports, given)
+        within = frozenset(renaming.name(link) for link in m.turned)
+        made.turned = within ^ mirror.links if copy.mirrored else within
         made.copies = (own, *(one.renamed(renaming, path) for one in flat.copies))
         return made
 

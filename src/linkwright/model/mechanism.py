@@ -82,6 +82,7 @@ class Mechanism(Sections, Head):
     """
 
     _followers: Mapping[str, Follower] = PrivateAttr(default_factory=FrozenDict)
+    _turned: frozenset[str] = PrivateAttr(default=frozenset())
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[FaultWithin]:
@@ -92,6 +93,11 @@ class Mechanism(Sections, Head):
     def followers(self) -> Mapping[str, Follower]:
         """The joints that have a link follow a drive, where short forms are spelled out."""
         return self._followers
+
+    @property
+    def turned(self) -> frozenset[str]:
+        """The links that stand in mirrored copies: what is drawn at 0 there is at half a turn."""
+        return self._turned
 
     @property
     def movers(self) -> Mapping[str, Mover]:
@@ -107,6 +113,14 @@ class Mechanism(Sections, Head):
         """The same with these followers."""
         made = self.model_copy()
         made._followers = FrozenDict(found)
+        return made
+
+    def with_turned(self, links: frozenset[str]) -> Self:
+        """The same with these links in mirrored copies."""
+        if links == self._turned:
+            return self
+        made = self.model_copy()
+        made._turned = links
         return made
 
     def without_mover(self, name: str) -> Self:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Annotated, Any, ClassVar, Literal
+from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import Field
 
+from linkwright.elements.mirror import HALF_TURN, Mirror
+from linkwright.elements.points import FRAME
 from linkwright.expressions.fields import AssemblyRule, Expression, Frozen, LineOn, Name
 from linkwright.expressions.typed_fields import ELSEWHERE, Named, Quantity, Ref, Sign
 from linkwright.expressions.units import ANGLE, LENGTH
@@ -73,6 +75,22 @@ class Cam(Frozen):
         wrong = {*second} & others[contacts[0]] if isinstance(second, Mapping) and len(contacts) == 1 else ()
         if wrong:
             yield "cam.second-other", {"given": Joined(sorted(wrong)), "first": contacts[0]}
+
+    def mirrored(self, name: str, mirror: Mirror) -> Self:
+        """The same cam seen in a mirror: it turns the other way round."""
+        mirror.holds(self.cam, self.follower, self.on_)
+        other = {"counter-clockwise": "clockwise", "clockwise": "counter-clockwise"}
+        update: dict[str, Any] = {"sense": other.get(self.sense or "", self.sense)}
+        if self.on_ == FRAME:
+            update["phase"] = Expression(f"{self.phase.text} + {HALF_TURN}")
+        if self.side is not None:
+            update["side"] = self.side.mirrored(name, mirror)
+        if self.face is not None:
+            update["face"] = mirror.line(self.follower, self.face)
+        if self.second is not None and self.second.face is not None:
+            face = mirror.line(self.follower, self.second.face)
+            update["second"] = self.second.model_copy(update={"face": face})
+        return self.model_copy(update=update)
 
     def contacts(self, path: tuple[str | int, ...]) -> Iterator[tuple[tuple[str | int, ...], Cam | Second]]:
         """What states a contact, with its path: the cam itself, and what is stated of the second disc."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import combinations
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
 from pydantic import BeforeValidator
@@ -18,6 +18,7 @@ from linkwright.elements.entries import NumberFault, StatedPlaces
 from linkwright.elements.fields import TwoLinks, point_of_joint
 from linkwright.elements.follower import FollowerEntry
 from linkwright.elements.geneva.contact import half_angle
+from linkwright.elements.mirror import Mirror, Reflection
 from linkwright.elements.pitch import WheelsEntry
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Name
@@ -53,6 +54,11 @@ class GenevaEntry(WheelsEntry, FollowerEntry):
     slots: Annotated[Expression, Quantity(u.PURE, whole=True)]
     arc: Annotated[Expression, Quantity(u.LENGTH)]
     slot: Annotated[Expression, Quantity(u.ANGLE)] = Expression("0 deg")
+
+    def mirrored(self, name: str, mirror: Mirror) -> Self:
+        """The same drive seen in a mirror."""
+        mirror.holds(*self.wheels, self.carrier)
+        return self.model_copy(update={"slot": Reflection(True).image(self.slot)})
 
     @property
     def links(self) -> tuple[str, ...]:

@@ -55,9 +55,9 @@ PROBLEMS: dict[str, tuple[str, str]] = {
     "subassembly.mirrored": (
         "The copy can't be mirrored: for '{name}' in the section {section} of the sub-assembly {of}, it isn't defined what "
         "its mirror image is.",
-        "Only links, pins, slides, straight slots, cylinders, springs between points, counterweights, friction, and forces "
-        "along slides can be mirrored, as far as they are on links of the sub-assembly or on the frame. Define the element "
-        "outside the sub-assembly, or write a second sub-assembly.",
+        "Only elements that act on links of the sub-assembly and on the frame can be mirrored, and whose expressions "
+        "depend only on their motion; torsional springs with a table can't. Define the element outside the sub-assembly, "
+        "or write a second sub-assembly.",
     ),
     "subassembly.same-point": (
         "Two ports of the link {link} are joined to the same point ({points}).",
