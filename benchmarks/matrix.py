@@ -1,8 +1,9 @@
 """Every kind of element by every study, form of drive, export and more: ``python benchmarks/matrix.py [--jobs 2]``.
 
 Performs the cells of the matrix (tests/combinations), prints each that is wrong with its faults, then the counts; exit
-code 1 where one is wrong. ``--save`` keeps the outcomes and writes the page docs/validation/matrix.md. ``--rows`` and
-``--columns`` choose some by name; with ``--save`` the others stay as they are. ``--show`` prints the findings too.
+code 1 where one is wrong. ``--save`` keeps the outcomes and, once there are all, writes the page
+docs/validation/matrix.md. ``--rows`` and ``--columns`` choose some by name; with ``--save`` the others stay as they
+are. ``--show`` prints the findings too.
 """
 
 from __future__ import annotations
@@ -53,7 +54,7 @@ def main() -> int:
             if asked.show and found.findings:
                 print(f"{row}, {name}:", *found.findings, sep="\n    ", flush=True)
     print(", ".join(f"{verdict} {count}" for verdict, count in verdicts.items()))
-    if asked.save:
+    if asked.save and all({*COLUMNS} <= kept().get(row, {}).keys() for row in MECHANISMS):
         PAGE.write_text(page(PAGE.read_text("utf-8"), kept()), encoding="utf-8")
     return 1 if verdicts[WRONG] else 0
 

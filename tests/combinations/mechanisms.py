@@ -1,8 +1,9 @@
 """A small valid mechanism for every registered kind of element, as text of a model file.
 
-All have a link ``crank`` of length r, pinned to the frame at A, which a drive turns through any angle, and a parameter
-r with a tolerance: the columns (:mod:`combinations.columns`) drive, vary, copy and export every mechanism in the same
-way. A kind that is registered and has no mechanism here fails ``test_every_kind_has_a_mechanism`` by name.
+All have a link ``crank``, pinned to the frame at A, which a drive turns through any angle, and a parameter with a
+tolerance, most often its length r: the columns (:mod:`combinations.columns`) drive, vary, copy and export every
+mechanism in the same way. A kind that is registered and has no mechanism here fails
+``test_every_kind_has_a_mechanism`` by name.
 """
 
 from __future__ import annotations
@@ -25,7 +26,8 @@ class Mechanism:
     text), the signal of its output with the link or slide that an ``output`` of a drive names, the motor's angle at the
     start (deg), the radius of the crank (mm), and
     whether a constant is that of the drawn pose (``drawn``); ``circling`` are elements whose travel is
-    counter-clockwise along an arc, so that it has the other sign in a mirror."""
+    counter-clockwise along an arc, so that it has the other sign in a mirror; ``varied`` is the
+    parameter that studies vary."""
 
     kinds: tuple[str, ...]
     text: str
@@ -35,6 +37,7 @@ class Mechanism:
     radius: float = 30.0
     drawn: bool = False
     circling: tuple[str, ...] = ()
+    varied: str = "r"
 
     @cached_property
     def _data(self) -> Data:
@@ -47,6 +50,11 @@ class Mechanism:
     def data(self) -> Data:
         """Its sections, without the motor, for changes."""
         return copy.deepcopy(self._data)
+
+    @property
+    def nominal(self) -> float:
+        """The value of the varied parameter (mm)."""
+        return float(self._data["parameters"][self.varied]["value"])
 
     @property
     def output(self) -> str:
@@ -320,7 +328,7 @@ cams:
     "Geneva drive": Mechanism(
         ("geneva",),
         """
-parameters: {c: {value: 100, tolerance: 0.05}, r: {value: 70.71067811865476, tolerance: 0.05}}
+parameters: {c: {value: 100, tolerance: 0.05}, r: c*sin(45 deg)}
 links:
   frame: {points: {A: [0, 0], Q: [c, 0]}}
   crank: {points: {A: [0, 0], B: [r, 0]}, mass: 1.5, shape: disc 60 mm at A}
@@ -330,6 +338,7 @@ joints: {indexing: {geneva: [crank, wheel], centres: [A, Q], pins: [B], slots: 4
         signal="wheel.angle",
         start=-40,
         radius=70.71067811865476,
+        varied="c",
     ),
     "weld": Mechanism(
         ("weld",),

@@ -41,7 +41,7 @@ def _keep(mechanism: Mechanism) -> Faults:
 
 @column("page", "other")
 def _page(mechanism: Mechanism) -> Faults:
-    """With another length of the crank, a live page has what a run of the lines has that it offers for that."""
+    """With another length, a live page has what a run of the lines has that it offers for that."""
     data = turning(mechanism)
     data["measures"] = {}
     document = parse_document(data)
@@ -55,9 +55,9 @@ def _page(mechanism: Mechanism) -> Faults:
     program = live["program"]
     numbers = {one["name"]: one for one in live["numbers"]}
     moved = dict(zip(program["free"], program["values"], strict=True))
-    if not numbers["r"]["locked"]:
-        moved["r"] *= 1.001
-        data["parameters"]["r"]["value"] = 1e3 * moved["r"]
+    if not numbers[mechanism.varied]["locked"]:
+        moved[mechanism.varied] *= 1.001
+        data["parameters"][mechanism.varied]["value"] = 1e3 * moved[mechanism.varied]
     times = np.array(live["times"])
     found = run_data(live["code"], program, times, np.array([[moved[name] for name in program["free"]]]))
     if found.failures[0] is not None:

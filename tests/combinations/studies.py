@@ -47,15 +47,15 @@ def _modes(mechanism: Mechanism) -> Faults:
 def _sweep(mechanism: Mechanism) -> Faults:
     """Each sample is a run of the file with its value."""
     data = turning(mechanism)
-    size = mechanism.radius
+    size = mechanism.nominal
     values = [size - 0.01, size, size + 0.01]
-    data["studies"]["sweep"] = {"vary": {"r": values}, "outputs": ["travel", "torque", mechanism.signal]}
+    data["studies"]["sweep"] = {"vary": {mechanism.varied: values}, "outputs": ["travel", "torque", mechanism.signal]}
     sweep = run(data, files=True).outcomes["sweep"]
     if sweep.failed:
         yield f"{sweep.failed} samples fail"
         return
     other = turning(mechanism)
-    other["parameters"]["r"] = {"value": values[-1]}
+    other["parameters"][mechanism.varied] = {"value": values[-1]}
     expected = figures_of(run(other).cycle.measures)
     for row, statistics in zip(sweep.table.figures, sweep.measures, strict=True):
         if mechanism.drawn and statistics.column.measure != "travel":

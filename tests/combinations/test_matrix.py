@@ -21,7 +21,7 @@ from linkwright.findings import Finding
 from linkwright.studies import STUDIES
 
 CELLS = [(row, name) for row in MECHANISMS for name in COLUMNS]
-USUAL = 12
+USUAL = 16
 """Of so many cells one is tried in every run: along diagonals, so that all rows and columns are."""
 
 
