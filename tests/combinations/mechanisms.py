@@ -278,16 +278,6 @@ cams:
 """,
         signal="guide.s",
     ),
-    "cam with flat face": Mechanism(
-        ("cam",),
-        TAPPET,
-        """
-cams:
-  lifting: {cam: crank, follower: tappet, on: frame, base: 60,
-            face: C at 0 deg, law: lift, sense: counter-clockwise}
-""",
-        signal="guide.s",
-    ),
     "groove cam": Mechanism(
         ("cam",),
         TAPPET,
@@ -295,27 +285,6 @@ cams:
 cams:
   lifting: {cam: crank, follower: tappet, on: frame, base: 40,
             roller: 10, at: C, law: lift, closed: groove, sense: counter-clockwise}
-""",
-        signal="guide.s",
-    ),
-    "conjugate cams": Mechanism(
-        ("cam",),
-        CAM,
-        """
-cams:
-  lifting: {cam: crank, follower: lever, on: frame, base: 40,
-            roller: 12, at: C, law: lift, side: left of A-Q, sense: counter-clockwise,
-            closed: conjugate, second: {at: K}}
-""",
-        signal="lever.angle",
-    ),
-    "cam with yoke": Mechanism(
-        ("cam",),
-        TAPPET.replace("G: [4, 0]", "G: [0, 0]"),
-        """
-cams:
-  lifting: {cam: crank, follower: tappet, on: frame, base: 60,
-            face: C at 0 deg, law: lift, closed: yoke, sense: counter-clockwise}
 """,
         signal="guide.s",
     ),
@@ -351,26 +320,8 @@ joints: {seam: {weld: [bracket, coupler], angle: 40 deg}}
     "load at a point": Mechanism(
         ("load",), FOUR_BAR, "loads: {cut: {on: coupler, at: E, force: [5, -20], in: coupler}}"
     ),
-    "load along a slide": Mechanism(
-        ("load",),
-        SLIDER_CRANK,
-        "loads: {press: {on: slider, at: C, along: guide, force: -50 - 3 N*s/m*guide.v}}",
-        "guide.s",
-    ),
     "load between links": Mechanism(
         ("load",), FOUR_BAR, "loads: {brake: {on: rocker, against: coupler, torque: -0.5*sin(crank.angle)}}"
-    ),
-    "load in a window": Mechanism(
-        ("load",),
-        FOUR_BAR,
-        "windows: {early: {motor.angle: [70 deg, 100 deg]}}\n"
-        "loads: {cut: {on: rocker, at: C, force: [0, -20], window: early}}",
-    ),
-    "load by a table": Mechanism(
-        ("load",),
-        FOUR_BAR,
-        "tables: {curve: {points: [[0, 0], [120, 40], [360, 0]], period: 360, between: linear}}\n"
-        "loads: {cut: {on: rocker, at: C, force: [0, -curve(motor.angle)]}}",
     ),
     "spring": Mechanism(
         ("spring",),
@@ -379,15 +330,6 @@ joints: {seam: {weld: [bracket, coupler], angle: 40 deg}}
     ),
     "torsion spring": Mechanism(
         ("spring",), FOUR_BAR, "springs: {hold: {turns: rocker, on: frame, stiffness: 5 N*m/rad, free: 90 deg}}"
-    ),
-    "gas spring": Mechanism(
-        ("spring",), FOUR_BAR, "springs: {lift: {from: D, to: B, gas: 100 N, progression: 1.3, length: [60, 140]}}"
-    ),
-    "spring by a table": Mechanism(
-        ("spring",),
-        FOUR_BAR,
-        "tables: {curve: {points: [[50, 0], [80, 30], [110, 50], [150, 120]]}}\n"
-        "springs: {wire: {from: D, to: B, force: curve}}",
     ),
     "counterweight": Mechanism(
         ("counterweight",), FOUR_BAR, "counterweights: {cw: {on: crank, mass: 1.2, at: 40 at 180 deg, inertia: 400}}"
@@ -402,20 +344,6 @@ joints: {seam: {weld: [bracket, coupler], angle: 40 deg}}
         SLIDER_CRANK,
         "friction: {rub: {slide: guide, length: 40 mm, coefficient: 0.1, static: 0.15}}",
         "guide.s",
-    ),
-    "friction in a contact": Mechanism(
-        ("friction",),
-        """
-parameters: {r: {value: 30, tolerance: 0.05}}
-links:
-  frame: {points: {A: [0, 0], Q: [-80, 0]}}
-  crank: {points: {A: [0, 0], B: [r, 0]}, mass: 0.5, shape: rod A-B}
-  lever: {points: {Q: [0, 0], T: [140, 0]}, mass: 1, shape: rod Q-T}
-joints: {slot: {pin_in_slot: [crank, lever], pin: B, straight: Q at 0 deg}}
-friction: {rub: {contact: slot, coefficient: 0.1}}
-assembly: {T: [40, 40]}
-""",
-        signal="lever.angle",
     ),
     "cylinder": Mechanism(
         (),
@@ -437,31 +365,6 @@ links:
   rocker: {points: {D: [0, 0], E: [98, 0]}, mass: 0.6, shape: rod D-E}
   strut:  {points: {F: [0, 0], G: [108, 0]}, mass: 0.3, shape: rod F-G}
 assembly: {C: [133, 70], E: [216, 14], G: [141, -8]}
-""",
-    ),
-    "redundant parallelogram": Mechanism(
-        (),
-        """
-parameters: {r: {value: 30, tolerance: 0.05}}
-links:
-  frame:  {points: {A: [0, 0], D: [100, 0], F: [50, 20]}}
-  crank:  {points: {A: [0, 0], B: [r, 0]}, mass: 0.5, shape: rod A-B}
-  coupler: {points: {B: [0, 0], C: [100, 0], G: [50, 20]}, mass: 0.8, com: [50, 0], inertia: 900}
-  rocker: {points: {D: [0, 0], C: [r, 0]}, mass: 0.6, shape: rod D-C}
-  third:  {points: {F: [0, 0], G: [r, 0]}, mass: 0.6, shape: rod F-G}
-assembly: {C: [115, 26], G: [65, 46]}
-""",
-    ),
-    "sketch": Mechanism(
-        (),
-        """
-sketch: {A: [0, 0], B: [15, 26], C: [90, 75], D: [100, 0]}
-parameters: {r: {value: 30, tolerance: 0.05}}
-links:
-  frame:   {points: [A, D]}
-  crank:   {points: {A: [0, 0], B: [r, 0]}, mass: 0.5, shape: rod A-B}
-  coupler: {points: [B, C], mass: 0.8, shape: rod B-C}
-  rocker:  {points: [D, C], mass: 0.6, shape: rod D-C}
 """,
     ),
 }

@@ -100,13 +100,13 @@ def _reactions(mechanism: Mechanism) -> Faults:
     """A strut that holds the crank in place of the motor has the motor's torque at rest."""
     data = mechanism.data
     x, y = start_of(mechanism)
-    data["parameters"]["hold"] = f"hypot({x} + 50, {y} - 40)"
+    data["parameters"]["hold_length"] = f"hypot({x} + 50, {y} - 40)"
     data["links"]["frame"]["points"]["S0"] = [-50, 40]
-    data["links"]["strut"] = {"points": {"S0": [0, 0], "B": ["hold", 0]}}
+    data["links"]["holder"] = {"points": {"S0": [0, 0], "B": ["hold_length", 0]}}
     data.setdefault("assembly", {})["B"] = [x, y]
     data["studies"] = {"reactions": {}}
     outcome = run(data, files=True).outcomes["reactions"]
-    (force,) = (bar.force for bar in outcome.bars if bar.link == "strut")
+    (force,) = (bar.force for bar in outcome.bars if bar.link == "holder")
     still = swinging(mechanism, turns="crank", on="frame", position=f"{mechanism.start} deg")
     still["studies"] = {"cycle": {"duration": "1 ms", "samples": 2}}
     torque = run(still).cycle.result["motor.torque"]

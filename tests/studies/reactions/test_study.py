@@ -286,3 +286,32 @@ def test_written(tmp_path: Path) -> None:
     found = {row["reaction"]: float(row["value"]) for row in rows}
     assert found["force(frame, boom).y"] == pytest.approx(500 + 8 * 9.80665 - vertical)
     assert found["tension of tie"] == pytest.approx(vertical / 0.6)
+
+
+@pytest.mark.parametrize("free", [0, 30, 350, -700])
+def test_angles_that_act_on_a_structure(free: float) -> None:
+    """A torsional spring, over whole turns from its free angle, and a load that follows a link's angle: a boom on a tie
+    by the moments about its pin."""
+    long, tied, high = 100.0, 128.0, 80.0
+    data = {
+        "linkwright": 1,
+        "units": {"length": "mm", "angle": "deg", "mass": "kg", "time": "s", "force": "N", "torque": "N*m"},
+        "links": {
+            "frame": {"points": {"A": [0, 0], "S": [0, high]}},
+            "boom": {"points": {"A": [0, 0], "B": [long, 0]}},
+            "tie": {"points": {"S": [0, 0], "B": [tied, 0]}},
+        },
+        "assembly": {"B": [100, 5]},
+        "springs": {"twist": {"turns": "boom", "on": "frame", "stiffness": "2 N*m/rad", "free": f"{free} deg"}},
+        "loads": {"weight": {"on": "boom", "at": "B", "force": ["0 N", "-3 N*cos(boom.angle)"]}},
+        "studies": {"reactions": {}},
+    }
+    outcome = lw.run(lw.Document.model_validate(data)).outcomes["reactions"]
+    (force,) = (bar.force for bar in outcome.bars if bar.link == "tie")
+    y = (long**2 - tied**2 + high**2) / (2 * high)
+    x = math.sqrt(long**2 - y**2)
+    angle = math.atan2(y, x)
+    twisted = math.remainder(angle - math.radians(free), 2 * math.pi)
+    moment = -2.0 * twisted - 3.0 * math.cos(angle) * x / 1000
+    arm = (x * (high - y) + y * x) / tied / 1000
+    assert force == pytest.approx(-moment / arm, rel=1e-12)
