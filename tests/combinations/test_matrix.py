@@ -48,8 +48,9 @@ def test_every_mechanism_is_valid(row: str) -> None:
     assert table.kept()[row]["cycle"] == []
 
 
-@pytest.mark.parametrize(("row", "name"), mostly_long(CELLS, usual))
-def test_a_cell(row: str, name: str) -> None:
+@pytest.mark.parametrize("place", mostly_long(CELLS, usual), ids=", ".join)
+def test_a_cell(place: tuple[str, str]) -> None:
+    row, name = place
     found = table.cell(row, name)
     assert found.verdict != WRONG, "\n".join(found.faults)
     assert [*found.codes] == table.kept()[row][name]
