@@ -134,7 +134,7 @@ def _valid(line: str) -> str:
     """A rewritten line with what is valid in place of what would be refused next: keys with brackets, units in
     hanzi."""
     line = _KEY.sub(lambda match: f"{match[1]}_{re.sub(r'[^0-9A-Za-z_]+', '_', match[2]).strip('_')}", line)
-    return _UNIT.sub(lambda match: f"{match[1]}{_unit(match[2])}", line)
+    return _UNIT.sub(lambda match: f"{match[1].rstrip()} {_unit(match[2])}", line)
 
 
 def _unit(word: str) -> str:
