@@ -12,7 +12,6 @@ import time
 from pathlib import Path
 from typing import Any
 
-import casadi as ca
 import numpy as np
 from figures import parser, tell
 
@@ -21,6 +20,7 @@ from linkwright.graph.program import Program
 from linkwright.kernels import Compiled
 from linkwright.kernels.jax_kernel import JaxKernel
 from linkwright.kernels.jax_reduction import DeviceReduction
+from linkwright.symbols import CONSTANT, INPUT, OUTPUT
 
 MODEL = Path(__file__).resolve().parent.parent / "examples" / "four_bar.yaml"
 LENGTHS = "a", "b", "c", "d"
@@ -47,13 +47,13 @@ def arithmetic(program: Program) -> int:
     depends: dict[int, set[int]] = {}
     count = 0
     for i in program.block.instructions:
-        if i.op == ca.OP_CONST:
+        if i.op == CONSTANT:
             depends[i.out] = set()
-        elif i.op == ca.OP_INPUT:
+        elif i.op == INPUT:
             depends[i.out] = {i.args[0]}
-        elif i.op != ca.OP_OUTPUT:
+        elif i.op != OUTPUT:
             depends[i.out] = set().union(*(depends[a] for a in i.args))
-            count += len(depends[i.out]) == 2 and i.op != ca.OP_ASSIGN
+            count += len(depends[i.out]) == 2
     return count
 
 

@@ -1,7 +1,7 @@
 """Linear systems written out in a program against a library's solver: ``python benchmarks/linear.py [--json]``.
 
 A dense system of n unknowns, its matrix and right side made from 2 n inputs of each pose so that nothing can be folded:
-instructions of the sparse QR, their time a pose by each kernel and as an array solve (LAPACK), and the digits kept.
+instructions of the orthogonal factors, their time a pose by each kernel and as an array solve (LAPACK), and the digits kept.
 """
 
 from __future__ import annotations
@@ -10,15 +10,15 @@ import json
 import time
 from functools import partial
 
-import casadi as ca
 import numpy as np
 from figures import parser
 from numpy.typing import NDArray
 
 from linkwright.app.bench import median
-from linkwright.graph.program import ExpressionStage, Program
+from linkwright.graph.program import Program
 from linkwright.groups.linear import Factor
 from linkwright.kernels import KERNELS
+from linkwright.symbols import ExpressionStage, Symbol
 
 Array = NDArray[np.float64]
 
@@ -31,10 +31,10 @@ def system(n: int, u: Array) -> tuple[Array, Array]:
 
 def program(n: int) -> Program:
     """The same system solved by a program."""
-    x = ca.SX.sym("x", 2 * n)
-    rows = [[ca.sin(x[i] * (1.0 + j)) + (1.0 if i == j else 0.0) for j in range(n)] for i in range(n)]
+    x = Symbol.several("x", 2 * n)
+    rows = [[(x[i] * (1.0 + j)).do("sin") + (1.0 if i == j else 0.0) for j in range(n)] for i in range(n)]
     y = Factor(rows).solve([x[n + i] for i in range(n)])
-    block = ExpressionStage.from_rows(x, ca.SX(0, 1), y)
+    block = ExpressionStage(x, [], y)
     return Program((), block, tuple(f"x{i}" for i in range(2 * n)), (), tuple(f"y{i}" for i in range(n)))
 
 

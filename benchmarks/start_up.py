@@ -14,9 +14,9 @@ from pathlib import Path
 from whole_runs import process
 
 FEEDER = Path(__file__).parents[1] / "examples" / "paper_feeder.yaml"
-BARE = ("-c", "import numpy, casadi, pydantic")
+BARE = ("-c", "import numpy, pydantic")
 COMMANDS = {
-    "numpy, casadi, pydantic imported": BARE,
+    "numpy, pydantic imported": BARE,
     "linkwright --help": ("-m", "linkwright", "--help"),
     "linkwright check": ("-m", "linkwright", "check", str(FEEDER)),
     "linkwright run": ("-m", "linkwright", "run", str(FEEDER), "--out", "{out}"),

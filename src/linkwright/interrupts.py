@@ -1,9 +1,8 @@
 """Ctrl-C at any moment: an interrupt waits where it would come out as another error, or get lost.
 
-An import may turn it into an ImportError, and a module that tries what it can import passes over that. CasADi's
-compiled code asks Python for attributes and passes over whatever is raised there, and some modules of ruamel.yaml pass
-over it by a bare ``except:``. That of pydantic turns one that comes while it builds a validator into an error of
-the schema. Of a finalizer, Python prints what it raises and goes on.
+An import may turn it into an ImportError, and a module that tries what it can import passes over that. Some modules of
+ruamel.yaml pass over it by a bare ``except:``. That of pydantic turns one that comes while it builds a validator into an
+error of the schema. Of a finalizer, Python prints what it raises and goes on.
 """
 
 from __future__ import annotations
@@ -16,7 +15,7 @@ import threading
 from types import FrameType
 from typing import Any
 
-SWALLOWING = ("casadi/casadi.py", "ruamel/yaml/comments.py", "ruamel/yaml/serializer.py", "ruamel/yaml/tokens.py")
+SWALLOWING = ("ruamel/yaml/comments.py", "ruamel/yaml/serializer.py", "ruamel/yaml/tokens.py")
 """Ends of the names of files that pass over an interrupt."""
 TURNING = ("pydantic/_internal/_model_construction.py", "pydantic/type_adapter.py")
 """Those that turn it into another error."""

@@ -50,7 +50,7 @@ try:
     main()
 except SystemExit:
     pass
-slow = ("numpy", "casadi", "scipy", "pint", "pydantic", "ruamel", "rich", "xarray", "matplotlib", "linkwright.model")
+slow = ("numpy", "scipy", "pint", "pydantic", "ruamel", "rich", "xarray", "matplotlib", "linkwright.model")
 print([name for name in slow if name in sys.modules], file=sys.stderr)
 """
     result = subprocess.run([sys.executable, "-c", code], capture_output=True, encoding="utf-8", timeout=60, check=True)
@@ -140,7 +140,7 @@ def test_files_of_any_name(name: bytes, model: Path, tmp_path: Path) -> None:
 
 
 def test_importing_the_package_loads_nothing_slow() -> None:
-    slow = ("numpy", "casadi", "scipy", "pint", "pydantic")
+    slow = ("numpy", "scipy", "pint", "pydantic")
     code = f"import sys, linkwright; print([name for name in {slow} if name in sys.modules])"
     assert subprocess.check_output([sys.executable, "-c", code], encoding="utf-8").strip() == "[]"
 
@@ -331,7 +331,6 @@ main()
         pytest.param("click", marks=pytest.mark.long),
         "numpy._core._multiarray_umath",
         pytest.param("pydantic_core._pydantic_core", marks=pytest.mark.long),
-        "casadi",
     ],
 )
 def test_an_interrupt_within_an_import(model: Path, name: str) -> None:

@@ -8,7 +8,6 @@ import pickle
 from functools import partial
 from typing import Any
 
-import casadi as ca
 import numpy as np
 import pytest
 
@@ -22,6 +21,7 @@ from linkwright.graph.view import View
 from linkwright.kernels import Compiled
 from linkwright.model.document import Document, plain
 from linkwright.results.independent_check import Reports
+from linkwright.symbols import ExpressionStage, as_symbol, derivatives_along
 from linkwright.words import catalogue, say
 
 MODEL: dict[str, Any] = {
@@ -94,9 +94,9 @@ def made(name: str, which: int) -> tuple[Compiled, Acting, Reports]:
 
 def evaluated(compiled: Compiled, view: View, rows: list[Any]) -> Any:
     """Expressions of a view at the times: (rows, times)."""
-    function = ca.Function("f", [view.x, view.p], [ca.vertcat(*map(ca.SX, rows))])
+    stage = ExpressionStage(view.x, view.p, rows)
     x = compiled.inputs(T)
-    return np.array([np.asarray(function(column, compiled.parameters)).ravel() for column in x.T]).T
+    return np.array([stage.numbers(column, compiled.parameters) for column in x.T]).T
 
 
 def view_of(compiled: Compiled) -> View:
@@ -171,8 +171,8 @@ def test_its_power_is_what_it_stores_and_loses(name: str, which: int) -> None:
     """The rate of the energy comes from the program's derivative in time."""
     compiled, one, reports = made(name, which)
     view = view_of(compiled)
-    energy = ca.SX(one.kind.energy(view, one.name, one.entry))
-    stored, rate = evaluated(compiled, view, [energy, ca.jtimes(energy, view.x, compiled.graph.flow(view))])
+    energy = as_symbol(one.kind.energy(view, one.name, one.entry))
+    stored, rate = evaluated(compiled, view, [energy, *derivatives_along([energy], compiled.graph.flow(view))])
     assert bool(np.abs(stored).max()) <= one.kind.stores
     lost = power(reports, moments(one.kind.dissipative_forces(reports, one.name, one.entry)))
     done = power(reports, wrenches(compiled, one))

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 
 from linkwright.enclosures.forms import AffineForm
 from linkwright.enclosures.program import BOXES, Stage
-from linkwright.graph.program import ExpressionStage
+from linkwright.symbols import ExpressionStage, Symbol
 
 DIGITS = 60
 NUMBERS = st.one_of(
@@ -220,11 +220,9 @@ def test_a_batch_is_done_all_at_once() -> None:
 
 def test_a_program_runs_on_boxes() -> None:
     """Functions of parameters alone are numbers; of places only sums, products, quotients, roots and magnitudes are."""
-    import casadi as ca
-
-    x, p = ca.SX.sym("x", 2), ca.SX.sym("p", 1)
-    rows = [ca.sqrt(x[0] ** 2 + x[1] ** 2) * ca.cos(p[0]), ca.fabs(x[0]) / (3 + x[1])]
-    stage = Stage(ExpressionStage.from_rows(x, p, [ca.vertcat(*rows)]), np.array([0.3]), [0, 1], BOXES)
+    x, p = Symbol.several("x", 2), Symbol.several("p", 1)
+    rows = [(x[0] ** 2 + x[1] ** 2).do("sqrt") * p[0].do("cos"), abs(x[0]) / (3 + x[1])]
+    stage = Stage(ExpressionStage(x, p, rows), np.array([0.3]), [0, 1], BOXES)
     centre, half = (1.0, 2.0), 0.25
     boxes = [
         AffineForm(np.array([centre[0]]), np.array([half]), np.zeros(1)),
@@ -239,9 +237,7 @@ def test_a_program_runs_on_boxes() -> None:
 
 
 def test_a_function_of_places_without_an_enclosure_is_refused() -> None:
-    import casadi as ca
-
-    x, p = ca.SX.sym("x", 2), ca.SX.sym("p", 1)
-    stage = Stage(ExpressionStage.from_rows(x, p, [ca.vertcat(ca.sin(x[0]))]), np.array([0.3]), [0], BOXES)
+    x, p = Symbol.several("x", 2), Symbol.several("p", 1)
+    stage = Stage(ExpressionStage(x, p, [x[0].do("sin")]), np.array([0.3]), [0], BOXES)
     with pytest.raises(NotImplementedError, match="no enclosure"):
         stage([line(0, 1), line(0, 0, 1)].__getitem__)

@@ -12,19 +12,18 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any, NamedTuple
 
-import casadi as ca
 import mpmath as mp
 import numpy as np
 import pytest
 
 from helpers.emitted import RUNNERS, Runner
-from linkwright.graph.program import ExpressionStage, Program
+from linkwright.graph.program import Program
 from linkwright.kernels.elementary import FARTHEST, FUNCTIONS
 from linkwright.kernels.llvm_entries import text
 from linkwright.kernels.llvm_kernel import LlvmKernel, PoseFunction
 from linkwright.kernels.llvm_source import KernelSource
 from linkwright.kernels.machine_code import Machine
-from linkwright.kernels.operations import OPERATIONS
+from linkwright.symbols import OPERATIONS, ExpressionStage, Symbol
 
 nan, inf, tiny = math.nan, math.inf, 5e-324
 SORT = 600
@@ -148,10 +147,9 @@ def compiled(name: str, way: str) -> LlvmKernel | PoseFunction | Runner:
     """The function as written by the LLVM emitter: over vectors, or of one pose; or for another machine."""
     if way not in RUNNERS:
         pytest.importorskip("llvmlite", reason="compiled functions need llvmlite")
-    x = ca.SX.sym("x", operands(name))
-    code = next(each.codes[0] for each in OPERATIONS.values() if each.name in (name, CALLED.get(name)))
-    row = ca.SX.unary(code, x[0]) if operands(name) == 1 else ca.SX.binary(code, x[0], x[1])
-    stage = ExpressionStage(ca.Function("one", [x, ca.SX(0, 1)], [row]))
+    x = Symbol.several("x", operands(name))
+    operation = next(each for each in OPERATIONS if each in (name, CALLED.get(name)))
+    stage = ExpressionStage(x, [], [x[0].do(operation, *x[1:])])
     program = Program((), stage, ("x", "y")[: operands(name)], (), (name,))
     if way in RUNNERS:
         return RUNNERS[way](program)
@@ -240,9 +238,9 @@ def test_all_ways_give_the_same_bits(name: str) -> None:
 
 def test_no_function_of_the_library_is_called() -> None:
     """All are written out: the text has no other calls than of square roots, magnitudes and its own functions."""
-    rows = [ca.SX.unary(OPERATIONS[name].codes[0], ca.SX.sym("x")) for name in ("sin", "exp", "log", "arctan")]
-    symbols = ca.vertcat(*(ca.symvar(row)[0] for row in rows))
-    stage = ExpressionStage(ca.Function("some", [symbols, ca.SX(0, 1)], [ca.vertcat(*rows)]))
+    symbols = Symbol.several("x", 4)
+    rows = [symbol.do(name) for symbol, name in zip(symbols, ("sin", "exp", "log", "arctan"), strict=True)]
+    stage = ExpressionStage(symbols, [], rows)
     program = Program((), stage, tuple("abcd"), (), tuple("abcd"))
     made = text(KernelSource(program, "apart", Machine(8, False, "", "")))
     called = set(re.findall(r"call \S+(?: x double>)? @([\w.]+)", made))

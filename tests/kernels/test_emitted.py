@@ -29,9 +29,9 @@ from linkwright.kernels import (
 )
 from linkwright.kernels.javascript_source import labels
 from linkwright.kernels.llvm_kernel import PoseFunction
-from linkwright.kernels.operations import OPERATIONS
 from linkwright.kernels.straight_line import PRIMITIVES, Code, written
 from linkwright.model.document import load
+from linkwright.symbols import OPERATIONS
 
 pytest.importorskip("llvmlite")
 
@@ -189,18 +189,10 @@ def test_random_programs(runner: str) -> None:
 def test_random_programs_are_worth_running() -> None:
     """Together they have every operation, and most of their figures are numbers that differ from pose to pose."""
     cases = [random_case(seed) for seed in SEEDS]
-    codes = {instruction.op for program, _, _ in cases for instruction in program.block.instructions}
-    assert {code for each in OPERATIONS.values() for code in each.codes} <= codes | simplified()
+    assert {*OPERATIONS} <= {instruction.op for program, _, _ in cases for instruction in program.block.instructions}
     found = np.concatenate([expected_once(case) for case in cases])
     assert np.isfinite(found).mean() > 0.6
     assert (np.nanmax(found, axis=1, initial=-np.inf) != np.nanmin(found, axis=1, initial=np.inf)).mean() > 0.5
-
-
-def simplified() -> set[int]:
-    """The codes that CasADi writes as others."""
-    return {code for each in OPERATIONS.values() for code in each.codes} - {
-        instruction.op for instruction in every_operation().block.instructions
-    }
 
 
 @pytest.mark.parametrize("longest", [1, 7, 60])

@@ -1,4 +1,4 @@
-"""The NumPy kernel, and every other, against CasADi's own evaluation of the same program, and its blocks."""
+"""The NumPy kernel, and every other, against the evaluation of the same program step by step, and its blocks."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def all_names(compiled: Compiled) -> list[Named]:
 
 
 @pytest.mark.parametrize("kernel", every())
-def test_kernel_agrees_with_casadi(kernel: str) -> None:
+def test_kernel_agrees_with_the_reference(kernel: str) -> None:
     """Every signal and its rate, at every pose, to round-off: 1e-13 of the row's size or of 1."""
 
     @settings(max_examples=examples(kernel))
@@ -51,7 +51,7 @@ def test_kernel_agrees_with_casadi(kernel: str) -> None:
 
 
 @pytest.mark.parametrize("kernel", every())
-def test_kernel_agrees_with_casadi_on_loads_and_springs(kernel: str) -> None:
+def test_kernel_agrees_with_the_reference_on_loads_and_springs(kernel: str) -> None:
     """Windows, tables, whole turns, functions: to 1e-12 of the row's size or of 1."""
     compiled = compile_mechanism(load(Path(__file__).parents[1] / "model" / "data" / "sprung.yaml"))
     t = np.linspace(0.003, 0.79, 40)

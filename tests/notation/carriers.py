@@ -1,4 +1,4 @@
-"""Jets on floats, NumPy arrays and CasADi symbols: one computation carried by each of the three."""
+"""Jets on floats, NumPy arrays and symbols: one computation carried by each of the three."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ from collections.abc import Callable, Sequence
 from math import factorial
 from typing import Any
 
-import casadi as ca
 import mpmath
 import numpy as np
 
 from linkwright.notation import Jet
+from linkwright.symbols import ExpressionStage, Symbol
 
 Rows = Sequence[Sequence[float]]
 """Jets as plain numbers: for each argument its value and derivatives."""
@@ -28,11 +28,10 @@ def on_arrays(f: Callable[..., Jet], *rows: Sequence[float]) -> list[float]:
 
 
 def on_symbols(f: Callable[..., Jet], *rows: Sequence[float]) -> list[float]:
-    jets = [Jet([ca.SX.sym(f"x{i}_{k}") for k in range(len(row))]) for i, row in enumerate(rows)]
+    jets = [Jet(Symbol.several(f"x{i}", len(row))) for i, row in enumerate(rows)]
     result = f(*jets)
     symbols = [d for jet in jets for d in jet.d]
-    function = ca.Function("f", symbols, [ca.vertcat(*(ca.SX(d) for d in result.d))])
-    return [float(v) for v in np.asarray(function(*(v for row in rows for v in row))).ravel()]
+    return ExpressionStage(symbols, [], result.d).numbers([v for row in rows for v in row], [])
 
 
 CARRIERS: dict[str, Callable[..., list[float]]] = {

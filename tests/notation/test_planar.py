@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from typing import Any
 
-import casadi as ca
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -14,6 +13,7 @@ from hypothesis import strategies as st
 from helpers.differences import derivative
 from linkwright.notation import Body, Jet, Pair, Vec, Wrench
 from linkwright.notation.planar import turning_axis
+from linkwright.symbols import ExpressionStage, Symbol
 
 number = st.floats(-3.0, 3.0)
 pairs = st.builds(Pair, number, number)
@@ -43,7 +43,7 @@ def test_pairs_are_complex_numbers(a: Pair, b: Pair, angle: float) -> None:
 
 
 def test_a_pair_less_itself_is_a_structural_zero() -> None:
-    x = ca.SX.sym("x")
+    x = Symbol.named("x")
     assert Pair(x, x).minus(Pair(x, x)) == (0.0, 0.0)
 
 
@@ -107,12 +107,12 @@ def test_turning_axis_stays_a_unit_vector(angle: float, rates: list[float]) -> N
 
 
 def test_turning_axis_on_symbols() -> None:
-    names = ca.SX.sym("x", 5)
+    names = Symbol.several("x", 5)
     axis = turning_axis(Pair(names[0], names[1]), Jet([names[2], names[3], names[4]]))
-    f = ca.Function("axis", [names], [ca.vertcat(*axis.x.d, *axis.y.d)])
+    stage = ExpressionStage(names, [], [*axis.x.d, *axis.y.d])
     values = [math.cos(0.7), math.sin(0.7), 1.1, -0.4, 2.3]
     plain = turning_axis(Pair(*values[:2]), Jet(values[2:]))
-    close(np.asarray(f(values)).ravel(), [*plain.x.d, *plain.y.d])
+    close(stage.numbers(values, []), [*plain.x.d, *plain.y.d])
 
 
 @pytest.mark.parametrize("point", [Pair(0.0, 0.0), Pair(1.2, 0.7), Pair(0.3, -0.2)])

@@ -35,7 +35,7 @@ def compiled_with_numbers(data: dict[str, Any]) -> Compiled:
 def at(one: LiveOutline, parameters: dict[str, float]) -> Any:
     """The lines of an outline (m): (lines, places, 2)."""
     p = np.array([parameters[name] for name in one.program.parameters])
-    rows = [np.array(one.program.block.function(x, p)).ravel() for x in one.inputs]
+    rows = [np.array(one.program.block.numbers(x, p)) for x in one.inputs]
     return np.array(rows).reshape(len(rows), -1, 2).swapaxes(0, 1)
 
 

@@ -6,7 +6,6 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import Any
 
-import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
@@ -16,15 +15,14 @@ from linkwright.enclosures.forms import FEW, UNIT, AffineForm
 from linkwright.enclosures.functions import continuous_angle
 from linkwright.enclosures.intervals import Intervals
 from linkwright.enclosures.taylor import FUNCTIONS, TaylorModel
-from linkwright.graph.program import ExpressionStage
-from linkwright.kernels.operations import OPERATIONS, operation
+from linkwright.symbols import CONSTANT, INPUT, OPERATIONS, OUTPUT, ExpressionStage
 
 Array = NDArray[np.float64]
 Function = Callable[..., Any]
 
 ARITHMETIC: dict[str, Function] = {
     "add": lambda a, b: a + b, "subtract": lambda a, b: a - b, "multiply": lambda a, b: a * b,
-    "divide": lambda a, b: a / b, "negative": lambda a: -a, "positive": lambda a: a,
+    "divide": lambda a, b: a / b, "negative": lambda a: -a,
     "twice": lambda a: a + a, "power": lambda a, b: a**b,
 }  # fmt: skip
 """What enclosures of every kind do by operators of their own."""
@@ -94,13 +92,13 @@ class Stage:
         results: dict[int, int] = {}
         lines: list[tuple[Function, tuple[int, ...], int]] = []
         for i in stage.instructions:
-            if i.op == ca.OP_OUTPUT:
+            if i.op == OUTPUT:
                 results[i.out] = slots[i.args[0]]
                 continue
             value = None
-            if i.op == ca.OP_CONST:
+            if i.op == CONSTANT:
                 value = kind.number(i.value)
-            elif i.op == ca.OP_INPUT:
+            elif i.op == INPUT:
                 which, row = i.args
                 if which == 1:
                     value = kind.number(float(p[row]))
@@ -109,7 +107,7 @@ class Stage:
             else:
                 args = tuple(slots[a] for a in i.args)
                 known = [self.values[a] for a in args]
-                function = kind.functions[operation(i.op).name]
+                function = kind.functions[i.op]
                 if all(k is not None for k in known):
                     value = function(*known)
                 else:

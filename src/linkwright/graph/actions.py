@@ -7,12 +7,11 @@ the time and the whole turns of an angle that the graph knows from its axis alon
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
-
-import casadi as ca
 
 from linkwright.data_classes import dataclass
 from linkwright.elements.follower import Follower
@@ -31,6 +30,7 @@ from linkwright.expressions.language import (
 from linkwright.expressions.trees import children, with_parts
 from linkwright.model.signals import Signal
 from linkwright.notation import Scalar, Wrench
+from linkwright.notation.jets import call
 
 if TYPE_CHECKING:
     from linkwright.graph.graph import Graph
@@ -179,9 +179,9 @@ class Actions:
 
     def flow(self, given: dict[str, Any]) -> list[Any]:
         """The rates of these inputs in time."""
-        known = {"t": ca.SX(1)} | {f"table/{i}/0": given[f"table/{i}/1"] for i in range(len(self.lookups))}
+        known = {"t": 1.0} | {f"table/{i}/0": given[f"table/{i}/1"] for i in range(len(self.lookups))}
         known |= {f"ratio/{name}/0": given[f"ratio/{name}/1"] for name in self.followers}
-        return [known.get(name, ca.SX(0)) for name in self.inputs]
+        return [known.get(name, 0.0) for name in self.inputs]
 
     @cached_property
     def order(self) -> int:
@@ -206,8 +206,8 @@ def active(view: View, name: str) -> Scalar:
     low, high = (view.motion.geometry.number(end, window.dimension) for end in window.ends)
     over = value - low
     if window.turning:
-        over = over - 2 * ca.pi * ca.floor(over / (2 * ca.pi))
-    return ca.logic_and(over >= 0, over <= high - low)
+        over = over - 2 * math.pi * call("floor", over / (2 * math.pi))
+    return call("logical_and", over >= 0, over <= high - low)
 
 
 def wrenches(view: View) -> Iterator[tuple[str, Wrench]]:

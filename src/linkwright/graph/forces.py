@@ -11,8 +11,6 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import field
 from functools import partial, reduce
 
-import casadi as ca
-
 from linkwright.data_classes import dataclass
 from linkwright.elements import Twist
 from linkwright.elements.force import Reactions, Resistance
@@ -26,6 +24,7 @@ from linkwright.groups.linear import Factor
 from linkwright.notation import Body, Pair, Scalar, Wrench
 from linkwright.notation.jets import is_zero
 from linkwright.structure import FRAME, Connection, Driven, Group, HigherGroup, LinkPlacement, Wedge
+from linkwright.symbols import choice
 
 Efforts = dict[str, dict[str, Wrench]]
 """The wrenches of unit efforts, by mover and link."""
@@ -89,7 +88,7 @@ def solve_forces(
     forces = _balanced(motion, own, means, None)
     for name, (_, share) in (holds or {}).items():
         effort = forces.efforts[name]
-        forces.efforts[name] = ca.if_else(effort < 0, share * effort, effort)
+        forces.efforts[name] = choice(effort < 0, share * effort, effort)
     forces.friction, forces.pushes = system, pushes or {}
     return forces
 
@@ -146,9 +145,9 @@ def _balanced(
         if holds and name in holds:
             effort, (other, share) = efforts[name], holds[name]
             pulls = effort < 0
-            efforts[name] = ca.if_else(pulls, share * effort, effort)
-            own = _added(own, other, ca.if_else(pulls, -efforts[name], 0.0))
-            own = _added(own, unit, ca.if_else(pulls, 0.0, effort))
+            efforts[name] = choice(pulls, share * effort, effort)
+            own = _added(own, other, choice(pulls, -efforts[name], 0.0))
+            own = _added(own, unit, choice(pulls, 0.0, effort))
         else:
             own = _added(own, unit, efforts[name])
     forces = _shared(motion, own, beside)

@@ -12,8 +12,6 @@ from dataclasses import field
 from functools import cached_property
 from typing import Any
 
-import casadi as ca
-
 from linkwright.data_classes import dataclass
 from linkwright.elements.force import Acting
 from linkwright.expressions.language import Call, Name, parse
@@ -25,8 +23,9 @@ from linkwright.graph.view import View
 from linkwright.model.quantities import Quantities
 from linkwright.model.signals import Signal
 from linkwright.notation import MAX_ORDER
-from linkwright.notation.symbols import column
+from linkwright.notation.jets import is_zero
 from linkwright.structure import HigherGroup, Structure
+from linkwright.symbols import Symbol, as_symbol, derivatives_along
 
 
 @dataclass
@@ -86,7 +85,7 @@ class Graph:
         groups = [group.label for group in self.branched]
         spanned = [view.motion.dyad(group)[0].spanned() or (0.0, 0.0, math.inf) for group in groups]
         spans = [-1.0 if isinstance(part, float) and math.isinf(part) else part for one in spanned for part in one]
-        block = ExpressionStage.from_rows(view.x, view.p, [*(view.row(row) for row in self.pose_rows), *spans])
+        block = ExpressionStage(view.x, view.p, [*(view.row(row) for row in self.pose_rows), *spans])
         names = [f"{group}/{part}" for group in groups for part in ("distance", "least", "most")]
         return Program((), block, self.inputs, self.parameters, (*(row.label for row in self.pose_rows), *names))
 
@@ -164,26 +163,24 @@ class Graph:
         order = self.order([*named, *rated])
         view = self._view(max(order, 1) if rated and self.structure.higher_groups else order)
         rows = [view.row(one) for one in named]
-        values = [view.row(one) for one in rated]
-        slopes: Any = ca.jtimes(column(values), view.x, self.flow(view)) if values else ()
+        values = [as_symbol(view.row(one)) for one in rated]
+        slopes = derivatives_along(values, self.flow(view)) if values else []
         rows += [part for i, value in enumerate(values) for part in (value, slopes[i])]
-        block = ExpressionStage.from_rows(view.x, view.p, rows)
+        block = ExpressionStage(view.x, view.p, rows)
         outputs = [*self.labels(named), *(part for n in self.labels(rated) for part in (n, f"d({n})"))]
         return Program((), block, self.inputs, self.parameters, tuple(outputs))
 
     def solving(self, higher_group: HigherGroup) -> Program:
         """The program that solves one higher group, from inputs in which the earlier ones stand already."""
         view, rows = self._view(0), self.coordinates(higher_group)
-        block = ExpressionStage.from_rows(view.x, view.p, [view.x[row] for row in rows])
+        block = ExpressionStage(view.x, view.p, [view.x[row] for row in rows])
         names = tuple(self.inputs[row] for row in rows)
         return Program((self.newton(higher_group),), block, self.inputs, self.parameters, names)
 
     def newton(self, higher_group: HigherGroup) -> NewtonStage:
         """The stage that solves a higher group."""
         view = self._view(0)
-        closure = ExpressionStage.from_rows(
-            view.x, view.p, [row.expression(view) for row in self.closure(higher_group)]
-        )
+        closure = ExpressionStage(view.x, view.p, [row.expression(view) for row in self.closure(higher_group)])
         sliding = tuple(not turns for turns in higher_group.turning)
         return NewtonStage(
             tuple(self.coordinates(higher_group)), closure, tuple(higher_group.units(self.size or 1.0)), sliding
@@ -204,22 +201,23 @@ class Graph:
         view = self._view(max(order, 1) if rates and self.structure.higher_groups else order)
         rows = [view.row(one) for one in named]
         if rates:
-            slopes = ca.jtimes(column(rows), view.x, self.flow(view))
+            slopes = derivatives_along([as_symbol(row) for row in rows], self.flow(view))
             rows = [part for i, row in enumerate(rows) for part in (row, slopes[i])]
-        block = ExpressionStage.from_rows(view.x, view.p, rows)
+        block = ExpressionStage(view.x, view.p, rows)
         outputs = tuple(part for name in names for part in ((name, f"d({name})") if rates else (name,)))
         return Program(self._solves(block) if solve else (), block, self.inputs, self.parameters, outputs)
 
-    def flow(self, view: View) -> Any:
-        """The rate of change of the inputs in time."""
-        flow = []
+    def flow(self, view: View) -> dict[Symbol, Symbol]:
+        """The rate of change of the inputs in time, by input."""
+        flow: list[Any] = []
         for i in range(len(self.drives)):
             rows = range(i * self.width, (i + 1) * self.width)
-            flow += [view.x[k + 1] for k in rows[:-1]] + [ca.SX(0)]
-        flow += [ca.SX(0)] * len(self.branched)
+            flow += [*(view.x[k + 1] for k in rows[:-1]), 0.0]
+        flow += [0.0] * len(self.branched)
         solved = (view.motion.higher_groups[c] for c in self.structure.higher_groups)
         flow += [rates[0] for higher_group in solved for rates in higher_group.rates]
-        return ca.vertcat(*flow, *self.actions.flow(view.given))
+        flow += self.actions.flow(view.given)
+        return {symbol: as_symbol(rate) for symbol, rate in zip(view.x, flow, strict=True)}
 
     @cached_property
     def size(self) -> float:
@@ -267,7 +265,7 @@ class Graph:
         """Whether an element acts by moments alone, which are the same about every place."""
         view = self._view(max(self.actions.order, one.kind.order))
         forces = [wrench.force for _, wrench in one.kind.wrenches(view, one.name, one.entry)]
-        return all(ca.SX(part).is_zero() for force in forces for part in (force.x, force.y))
+        return all(is_zero(part) for force in forces for part in (force.x, force.y))
 
     def _view(self, order: int) -> View:
         if order not in self._views:

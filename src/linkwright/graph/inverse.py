@@ -10,12 +10,10 @@ determinants of the mechanism's own groups in the pose (``closure``: the mode).
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from copy import copy
 from functools import cached_property
 from typing import Any
-
-import casadi as ca
 
 from linkwright.data_classes import dataclass
 from linkwright.elements.points import AXES
@@ -28,8 +26,8 @@ from linkwright.graph.rows import Radicand
 from linkwright.graph.triads import TriadSystem, place_links
 from linkwright.model.mechanism import FRAME, Drive, Joint, Link, Mechanism
 from linkwright.notation import Body, Jet, Pair, Scalar
-from linkwright.notation.symbols import Symbol, column
 from linkwright.structure import Group, HigherGroup, Structure, decompose
+from linkwright.symbols import Symbol, as_symbol, derivatives_along, jacobian
 
 TRIADS = 1
 """With more the poses would be too many to enclose."""
@@ -125,11 +123,11 @@ class Inverse:
         )
 
     @cached_property
-    def _symbols(self) -> tuple[Any, Any, Any, Any]:
+    def _symbols(self) -> tuple[list[Symbol], list[Symbol], list[Symbol], list[TriadSystem]]:
         """The inputs (x and y of the place, the branches, each platform's cosine, sine, x and y), the parameters, the
         rows, and the triads' systems."""
-        place, signs = ca.SX.sym("place", 2), [Symbol.named(group.label) for group in self.groups]
-        poses = [ca.SX.sym(higher_group.label, 4) for higher_group in self.triads]
+        place, signs = Symbol.several("place", 2), [Symbol.named(group.label) for group in self.groups]
+        poses = [Symbol.several(higher_group.label, 4) for higher_group in self.triads]
         values = [Symbol.named(name) for name in self.graph.parameters]
         quantities = copy(self.graph.quantities)
         quantities.mechanism = self.structure.topology.mechanism
@@ -143,8 +141,8 @@ class Inverse:
                 systems.append(_hung(motion, step, poses[len(systems)]))
             else:
                 solve_step(motion, step, drives, lambda group, _: chosen.get(group, 1.0), _no_higher_groups)
-        rows = column(self._rows(motion))
-        return ca.vertcat(place, *signs, *poses), ca.vertcat(*values), rows, systems
+        rows = [as_symbol(row) for row in self._rows(motion)]
+        return [*place, *signs, *(symbol for pose in poses for symbol in pose)], values, rows, systems
 
     def _rows(self, motion: Motion) -> Iterator[Scalar]:
         for group in self.groups:
@@ -174,20 +172,18 @@ class Inverse:
         for k, system in enumerate(systems):
             row = 2 + len(self.groups) + 4 * k
             c, s, *at = (x[row + i] for i in range(4))
-            polynomial, misses = system.polynomial(c, s), ca.vertcat(*system.misses(c, s, Pair(*at)))
-
-            def rotated(rows: Any, c: Any = c, s: Any = s) -> Any:
-                return c * ca.jacobian(rows, s) - s * ca.jacobian(rows, c)
-
-            slopes = ca.horzcat(rotated(misses), ca.jacobian(misses, ca.vertcat(*at)))
-            rows = {
+            polynomial = as_symbol(system.polynomial(c, s))
+            misses = [as_symbol(miss) for miss in system.misses(c, s, Pair(*at))]
+            by_turning = _by_turning([polynomial, *misses], c, s)
+            slopes = [[turned, *of_row] for turned, of_row in zip(by_turning[1:], jacobian(misses, at), strict=True)]
+            rows: dict[str, Sequence[Scalar]] = {
                 "polynomial": [polynomial],
-                "slope": [polynomial, rotated(polynomial)],
+                "slope": [polynomial, by_turning[0]],
                 "place": system.place(c, s),
                 "rooms": system.rooms(c, s),
-                "misses": [misses, ca.reshape(ca.densify(slopes).T, -1, 1)],
+                "misses": [*misses, *(slope for of_row in slopes for slope in of_row)],
             }
-            programs = {name: self._numbered(name, ca.vertcat(*some)) for name, some in rows.items()}
+            programs = {name: self._numbered(name, some) for name, some in rows.items()}
             found.append(Platform(len(system.circles), **programs))
         return tuple(found)
 
@@ -196,16 +192,22 @@ class Inverse:
         """The derivatives of the :attr:`rows` by x, then those by y, where there are dyads alone."""
         x, _, rows, _ = self._symbols
         names = [f"d({row.label})/d({axis})" for axis in AXES for row in self.rows]
-        return self._program(ca.reshape(ca.densify(ca.jacobian(rows, x[:2])), -1, 1), tuple(names))
+        slopes = jacobian(rows, x[:2])
+        return self._program([of_row[k] for k in range(2) for of_row in slopes], tuple(names))
 
-    def _numbered(self, name: str, rows: Any) -> Program:
-        return self._program(rows, tuple(f"{name}:{i}" for i in range(rows.numel())))
+    def _numbered(self, name: str, rows: Sequence[Scalar]) -> Program:
+        return self._program(rows, tuple(f"{name}:{i}" for i in range(len(rows))))
 
-    def _program(self, rows: Any, names: tuple[str, ...]) -> Program:
+    def _program(self, rows: Sequence[Scalar], names: tuple[str, ...]) -> Program:
         x, p, *_ = self._symbols
         inputs = [*AXES, *(f"branch:{group.label}" for group in self.groups)]
         inputs += [f"{higher_group.label}:{part}" for higher_group in self.triads for part in ("cos", "sin", "x", "y")]
-        return Program((), ExpressionStage.from_rows(x, p, [rows]), tuple(inputs), self.graph.parameters, names)
+        return Program((), ExpressionStage(x, p, rows), tuple(inputs), self.graph.parameters, names)
+
+
+def _by_turning(rows: Sequence[Symbol], c: Symbol, s: Symbol) -> list[Symbol]:
+    """The derivatives of rows of a cosine and a sine by their angle."""
+    return derivatives_along(rows, {c: -s, s: c})
 
 
 def _no_higher_groups(_: Any) -> list[Scalar]:

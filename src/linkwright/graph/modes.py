@@ -277,7 +277,7 @@ class Explorer:
     def search(self, higher_group: HigherGroup) -> list[list[float]]:
         """Solutions of a higher group from many starts."""
         n, graph = len(higher_group.free), self.graph
-        function = graph.program(graph.closure(higher_group)).block.function
+        block = graph.program(graph.closure(higher_group)).block
         rows = graph.coordinates(higher_group)
         parameters = np.array([self.quantities.parameters[name] for name in graph.parameters])
         known = self.inputs()
@@ -285,7 +285,7 @@ class Explorer:
         def closure(u: Array) -> tuple[Array, Array]:
             x = np.repeat(known[:, None], u.shape[1], axis=1)
             x[rows] = u
-            y = np.asarray(function(x, parameters), dtype=float)
+            y = np.array(block.arrays(x, parameters))
             return y[:n].T, y[n:].reshape(n, n, -1).transpose(2, 0, 1)
 
         return many_starts(closure, np.array(higher_group.turning), self.size, CLOSED * self.size)

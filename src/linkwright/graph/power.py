@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-import casadi as ca
-
 from linkwright.elements.force import Acting
 from linkwright.notation import Body, Scalar, Wrench
+from linkwright.symbols import as_symbol, derivatives_along
 
 if TYPE_CHECKING:
     from linkwright.graph.view import View
@@ -29,8 +28,8 @@ def dissipated(view: View, one: Acting) -> Scalar:
     """The power (W) that an element takes and doesn't store: what it doesn't supply, less the rate of its energy."""
     lost = -supplied(view, one)
     if one.kind.stores:
-        energy = ca.SX(one.kind.energy(view, one.name, one.entry))
-        lost = lost - ca.jtimes(energy, view.x, view.graph.flow(view))
+        energy = as_symbol(one.kind.energy(view, one.name, one.entry))
+        lost = lost - derivatives_along([energy], view.graph.flow(view))[0]
     return lost
 
 

@@ -7,71 +7,12 @@ written out: it keeps its digits, and costs less than a solver called at each po
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from functools import cached_property
-from typing import Any, NamedTuple
 
-import casadi as ca
 import numpy as np
 
 from linkwright.data_classes import dataclass
-from linkwright.notation.symbols import column
-
-
-class Instruction(NamedTuple):
-    """One step of a block: ``out = op(args)`` over work slots; constants and inputs are sources of slots."""
-
-    op: int
-    out: int
-    args: tuple[int, ...]
-    value: float = 0.0
-
-
-@dataclass(frozen=True)
-class ExpressionStage:
-    """A block of straight-line expressions of the per-pose inputs x and the parameters p."""
-
-    function: Any
-
-    @classmethod
-    def from_rows(cls, x: Any, p: Any, rows: Sequence[Any]) -> ExpressionStage:
-        """The block that computes ``rows``; common parts are computed once."""
-        return cls(ca.Function("block", [x, p], [ca.cse(column(rows))]))
-
-    @cached_property
-    def inputs(self) -> int:
-        """The number of per-pose inputs."""
-        return int(self.function.size1_in(0))
-
-    @cached_property
-    def rows(self) -> int:
-        """The number of output rows."""
-        return int(self.function.size1_out(0))
-
-    @cached_property
-    def slots(self) -> int:
-        """The number of work slots."""
-        return int(self.function.sz_w())
-
-    @cached_property
-    def used(self) -> tuple[frozenset[int], frozenset[int]]:
-        """The per-pose inputs and the parameters on which something depends."""
-        read = [i.args for i in self.instructions if i.op == ca.OP_INPUT]
-        return frozenset(row for k, row in read if k == 0), frozenset(row for k, row in read if k == 1)
-
-    @cached_property
-    def instructions(self) -> tuple[Instruction, ...]:
-        """The instruction list, dead code removed, in order."""
-        f = self.function
-        found = []
-        for k in range(f.n_instructions()):
-            op = f.instruction_id(k)
-            outs, args = f.instruction_output(k), f.instruction_input(k)
-            value = f.instruction_constant(k) if op == ca.OP_CONST else 0.0
-            if op == ca.OP_OUTPUT:
-                outs, args = [outs[1]], args
-            found.append(Instruction(op, outs[0], tuple(args), float(value)))
-        return tuple(found)
+from linkwright.symbols import ExpressionStage
 
 
 @dataclass(frozen=True)
@@ -119,11 +60,11 @@ class Program:
         return sum(len(s.instructions) for s in (self.block, *(stage.closure for stage in self.solves)))
 
     def __call__(self, x: np.ndarray, p: np.ndarray) -> np.ndarray:
-        """One pose by CasADi's own virtual machine: the reference that emitters are held to."""
+        """One pose, instruction by instruction: the reference that emitters are held to."""
         x = np.array(x, dtype=float)
         for stage in self.solves:
             rows, n = list(stage.rows), len(stage.rows)
             for _ in range(MOST_STEPS):
-                y = np.asarray(stage.closure.function(x, p)).ravel()
+                y = np.array(stage.closure.numbers(x, p))
                 x[rows] -= np.linalg.solve(y[n:].reshape(n, n), y[:n])
-        return np.asarray(self.block.function(x, p)).ravel()
+        return np.array(self.block.numbers(x, p))

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import casadi as ca
-
 from linkwright.model.signals import Signal
 from linkwright.notation import Pair, Scalar
+from linkwright.symbols import as_symbol
 
 if TYPE_CHECKING:
     from linkwright.graph.view import View
@@ -35,9 +34,9 @@ def _place_and_step(view: View, signal: Signal) -> tuple[Pair, Pair]:
     place, size = a.anchor.now, view.graph.size
     carried = b.velocity(place)
     own = Pair(a.anchor.x.d[1], a.anchor.y.d[1])
-    speed, omega = own.minus(carried), ca.SX(a.turn.d[0] - b.turn.d[0])
+    speed, omega = own.minus(carried), as_symbol(a.turn.d[0] - b.turn.d[0])
     whole = own.dot(own) + carried.dot(carried) + size**2 * (a.turn.d[0] ** 2 + b.turn.d[0] ** 2)
     # At infinity and at rest this is zero, and what is divided by it is neither finite nor has a finite rate.
     turns = (size * omega) ** 2 > speed.dot(speed) / INFINITE**2 + whole * ROUND_OFF**2
-    omega, beyond = omega * turns, 1 / ca.SX(turns) - 1
+    omega, beyond = omega * turns, 1 / turns - 1
     return place, Pair(beyond - speed.y / omega, beyond + speed.x / omega)

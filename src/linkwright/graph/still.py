@@ -11,7 +11,6 @@ from dataclasses import field
 from functools import cached_property
 from typing import Any
 
-import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
@@ -21,12 +20,12 @@ from linkwright.graph.forces import Forces, own_wrench
 from linkwright.graph.geometry import ZERO, Geometry
 from linkwright.graph.graph import Graph
 from linkwright.graph.motion import Motion
-from linkwright.graph.program import ExpressionStage, Program
+from linkwright.graph.program import Program
 from linkwright.graph.rows import Named
 from linkwright.graph.view import View
 from linkwright.notation import MAX_ORDER, Body, Jet, Pair, Vec, Wrench
-from linkwright.notation.symbols import Symbol
 from linkwright.structure import FRAME
+from linkwright.symbols import ExpressionStage, Symbol, as_symbol, depend_on
 
 
 class _FreeReactions(dict[tuple[str, str], Wrench]):
@@ -38,9 +37,9 @@ class _FreeReactions(dict[tuple[str, str], Wrench]):
         return self[key]
 
     @property
-    def symbols(self) -> Any:
+    def symbols(self) -> list[Symbol]:
         """All symbols made so far."""
-        return ca.vertcat(*(part for one in self.values() for part in (*one.force, one.moment)))
+        return [part for one in self.values() for part in (*one.force, one.moment)]
 
 
 @dataclass
@@ -78,16 +77,16 @@ class StillGraph(Graph):
     @cached_property
     def _still(self) -> StillView:
         given = {name: Symbol.named(name) for name in self.inputs}
-        parameters = ca.SX.sym("p", len(self.parameters))
-        return StillView(self, ca.vertcat(*given.values()), parameters, self.motion(), {}, given, [])
+        parameters = Symbol.several("p", len(self.parameters))
+        return StillView(self, list(given.values()), parameters, self.motion(), {}, given, [])
 
     def _view(self, order: int) -> View:
         return self._still
 
     def of_reactions(self, named: Named) -> bool:
         """Whether a row depends on reactions, to which statics alone can give a value."""
-        expression = ca.SX(self._still.row(named))
-        return bool(ca.depends_on(expression, self._still.free.symbols))
+        expression = as_symbol(self._still.row(named))
+        return depend_on([expression], self._still.free.symbols)
 
     @property
     def _bare(self) -> View:
@@ -117,4 +116,4 @@ class StillGraph(Graph):
             found: Wrench = wrench.at(view.motion.bodies[link].anchor.now)
             rows += [found.force.x, found.force.y, found.moment]
         names = tuple(f"{link}:{k}" for link in links for k in range(3))
-        return Program((), ExpressionStage.from_rows(view.x, view.p, rows), self.inputs, self.parameters, names)
+        return Program((), ExpressionStage(view.x, view.p, rows), self.inputs, self.parameters, names)

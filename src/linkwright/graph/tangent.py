@@ -9,13 +9,12 @@ implicit function theorem: J du = -(dg/dp) dp.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
-
-import casadi as ca
+from typing import TYPE_CHECKING
 
 from linkwright.graph.program import ExpressionStage, Program
 from linkwright.graph.view import View
-from linkwright.notation.symbols import Symbol, column
+from linkwright.symbols import Symbol, as_symbol, derivatives_along, substituted
+from linkwright.symbols import jacobian as slopes_of
 
 if TYPE_CHECKING:
     from linkwright.graph.graph import Graph
@@ -31,37 +30,37 @@ def tangent(graph: Graph, named: Sequence[Named], rates: bool = False, plays: Se
     """
     order, names = graph.order(named), graph.labels(named)
     view = View.build(graph, max(order, 1) if rates else order, graph.inputs, plays)
-    rows = column(view.row(one) for one in named)
+    rows = [as_symbol(view.row(one)) for one in named]
     if rates:
-        rows = ca.vertcat(rows, ca.jtimes(rows, view.x, graph.flow(view)))
-    symbols = [Symbol.named(f"d({name})") for name in graph.inputs]
-    inputs: list[Any] = list(symbols)
-    directions = ca.SX.sym("direction", len(graph.parameters) + len(plays))
-
-    def along(what: Any) -> Any:
-        """The tangent of expressions."""
-        free = ca.vertcat(view.x, view.p, *view.plays)
-        return ca.jtimes(what, free, ca.vertcat(*inputs, directions))
-
-    for i in range(len(graph.drives) * graph.width, graph.first_unknown):
-        inputs[i] = ca.SX(0)  # branches
+        rows += derivatives_along(rows, graph.flow(view))
+    directions = Symbol.several("direction", len(graph.parameters) + len(plays))
+    free = [*view.x, *view.p, *view.plays]
+    # The inputs change as their own tangents say, but for the branches, which don't, and for the coordinates of higher
+    # groups, which follow from the others.
+    tangents = [Symbol.named(f"d({name})") for name in graph.inputs]
+    first_branch = len(graph.drives) * graph.width
+    still = [*range(first_branch, graph.first_unknown)]
+    still += [row for higher_group in graph.structure.higher_groups for row in graph.coordinates(higher_group)]
+    zero = as_symbol(0.0)
+    changes = [zero if i in still else tangent for i, tangent in enumerate(tangents)]
+    direction = dict(zip(free, [*changes, *directions], strict=True))
     for higher_group in graph.structure.higher_groups:
-        at = graph.coordinates(higher_group)
-        for row in at:
-            inputs[row] = ca.SX(0)
         solved = view.motion.higher_groups[higher_group]
-        missed = along(ca.vertcat(*solved.gaps))
-        for row, q in zip(at, solved.factor.solve([missed[i] for i in range(len(at))]), strict=True):
-            inputs[row] = -q
-    both = ca.vertcat(rows, along(rows))
-    if plays:
-        both = ca.substitute(both, ca.vertcat(*view.plays), ca.DM.zeros(len(plays)))
+        missed = derivatives_along([as_symbol(gap) for gap in solved.gaps], direction)
+        for row, rate in zip(graph.coordinates(higher_group), solved.factor.solve(missed), strict=True):
+            direction[view.x[row]] = as_symbol(-rate)
+    both = _without_plays([*rows, *derivatives_along(rows, direction)], view)
     count, kinds = len(names), 4 if rates else 2
     ordered = [both[kind * count + i] for i in range(count) for kind in range(kinds)]
-    block = ExpressionStage.from_rows(ca.vertcat(view.x, *symbols), ca.vertcat(view.p, directions), ordered)
+    block = ExpressionStage([*view.x, *tangents], [*view.p, *directions], ordered)
     said = [f"d({name})" for name in (*graph.parameters, *plays)]
     outputs = tuple(f"{name}/{kind}" for name in names for kind in range(kinds))
     return Program((), block, (*graph.inputs, *(f"d({n})" for n in graph.inputs)), (*graph.parameters, *said), outputs)
+
+
+def _without_plays(rows: Sequence[Symbol], view: View) -> list[Symbol]:
+    """Rows at plays of 0."""
+    return substituted(rows, dict.fromkeys(view.plays, as_symbol(0.0))) if view.plays else [*rows]
 
 
 def jacobian(
@@ -71,14 +70,12 @@ def jacobian(
     parameters and ``plays`` of joints, which are 0 themselves: all of one row, then all of the next; then
     ``others``, without derivatives. They share what they have in common."""
     view = View.build(graph, graph.order((*named, *others)), graph.inputs, plays)
-    free = ca.vertsplit(ca.vertcat(view.x, view.p, *view.plays))
+    free = [*view.x, *view.p, *view.plays]
     symbols = dict(zip((*graph.inputs, *graph.parameters, *plays), free, strict=True))
-    rows = column(view.row(one) for one in named)
-    slopes = ca.densify(ca.jacobian(rows, ca.vertcat(*(symbols[name] for name in by))))
-    every = column([rows, ca.reshape(slopes.T, -1, 1), *map(view.row, others)])
-    if plays:
-        every = ca.substitute(every, ca.vertcat(*view.plays), ca.DM.zeros(len(plays)))
-    block = ExpressionStage.from_rows(view.x, view.p, [every])
+    rows = [as_symbol(view.row(one)) for one in named]
+    slopes = slopes_of(rows, [symbols[name] for name in by])
+    every = [*rows, *(slope for of_row in slopes for slope in of_row), *(as_symbol(view.row(one)) for one in others)]
+    block = ExpressionStage(view.x, view.p, _without_plays(every, view))
     names, rest = graph.labels(named), graph.labels(others)
     outputs = (*names, *(f"d({name})/d({other})" for name in names for other in by), *rest)
     return Program((), block, graph.inputs, graph.parameters, outputs)

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeVar
-
-import casadi as ca
 
 from linkwright.data_classes import dataclass
 from linkwright.elements.entries import NOUNS
@@ -28,8 +27,9 @@ from linkwright.graph.power import dissipated, supplied, totals
 from linkwright.graph.singular_orders import pole
 from linkwright.model.signals import BREAKAWAY, POWER, Signal
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
-from linkwright.notation.symbols import Symbol
+from linkwright.notation.jets import call
 from linkwright.structure import FRAME
+from linkwright.symbols import Symbol, as_symbol, substituted
 
 if TYPE_CHECKING:
     from linkwright.graph.graph import Graph
@@ -43,12 +43,12 @@ class View:
     """The mechanism's expressions carried to one order of derivatives."""
 
     graph: Graph
-    x: Any
-    p: Any
+    x: list[Symbol]
+    p: list[Symbol]
     motion: Motion
     laws: dict[str, Jet]
     given: dict[str, Any]  # the inputs of acting elements and followers
-    plays: list[Any]
+    plays: list[Symbol]
     starting: bool = False  # whether all resists as where motion is about to start
     _shared: dict[tuple[str, tuple[str, ...]], Any] = field(default_factory=dict)  # by kind and owners of signals
 
@@ -63,7 +63,7 @@ class View:
         starting: bool = False,
     ) -> View:
         symbols = [Symbol.named(name) for name in inputs]
-        x, first = ca.vertcat(*symbols), len(graph.motion_inputs)
+        x, first = symbols, len(graph.motion_inputs)
         given, symbols = dict(zip(inputs[first:], symbols[first:], strict=True)), symbols[:first]
         values = [Symbol.named(name) for name in graph.parameters]
         width = graph.width
@@ -83,7 +83,7 @@ class View:
             unknowns.__getitem__,
             Motion(graph.structure, geometry, order, nearest=nearest),
         )
-        return cls(graph, x, ca.vertcat(*values), motion, laws, given, offsets, starting)
+        return cls(graph, x, values, motion, laws, given, offsets, starting)
 
     @cached_property
     def forces(self) -> Forces:
@@ -112,7 +112,7 @@ class View:
     @cached_property
     def _starting(self) -> View:
         """The same where motion is about to start, with inputs of its own."""
-        plays = [play.name() for play in self.plays]
+        plays = [play.name for play in self.plays]
         return View.build(self.graph, self.graph.actions.forces, self.graph.inputs, plays, starting=True)
 
     def breakaway(self, drive: str, sense: int, friction: bool = True) -> Scalar:
@@ -124,9 +124,9 @@ class View:
         assert forces.friction is not None
         effort = forces.efforts[drive] if friction else forces.friction.drives[drive]
         rows = creeping_rates(self.graph, drive, sense, lambda i: self.x[i])
-        x = ca.vertcat(*(rows.get(i, self.x[i]) for i in range(self.x.numel())))
-        before, after = ca.vertcat(still.x, still.p, *still.plays), ca.vertcat(x, self.p, *self.plays)
-        return ca.substitute(ca.SX(effort), before, after)
+        x = [as_symbol(rows.get(i, symbol)) for i, symbol in enumerate(self.x)]
+        before, after = [*still.x, *still.p, *still.plays], [*x, *self.p, *self.plays]
+        return substituted([as_symbol(effort)], dict(zip(before, after, strict=True)))[0]
 
     def row(self, named: Named) -> Scalar:
         """The expression of one output row."""
@@ -206,7 +206,7 @@ class View:
             return body.turn.d[order - 1]
         turns = self.given.get(f"turns/{signal.owners[0]}")
         angle = body.heading
-        return angle if turns is None else angle + 2 * ca.pi * turns
+        return angle if turns is None else angle + 2 * math.pi * turns
 
     def acting(self, signal: Signal) -> Scalar:
         one = self.graph.quantities.signals.acting[signal.owners[0]]
@@ -279,8 +279,8 @@ class View:
         if link.angle is not None and on.angle is not None:
             return link.angle - on.angle
         turned = self.motion.drive_axis(drive)
-        raw = ca.atan2(turned.y, turned.x)
-        return raw + 2 * ca.pi * self.given.get(f"turns/{name}", 0.0) if whole else raw
+        raw = call("arctan2", turned.y, turned.x)
+        return raw + 2 * math.pi * self.given.get(f"turns/{name}", 0.0) if whole else raw
 
     def force(self, signal: Signal) -> Scalar:
         contact = self.graph.quantities.signals.contact(signal.owners)
@@ -292,7 +292,7 @@ class View:
         first = self.motion.geometry.mechanism.joints[contact.joint].links[0]
         heading = self.motion.geometry.line(contact.joint, first)[1]
         normal = self.motion.bodies[first].direction(heading).perp.now.dot(wrench.force)
-        return normal if signal.attribute == "normal" else ca.SX(wrench.moment) / normal
+        return normal if signal.attribute == "normal" else as_symbol(wrench.moment) / normal
 
     def power(self, signal: Signal) -> Scalar:
         (one,) = self.graph.quantities.signals.powered[signal.owners[0]]

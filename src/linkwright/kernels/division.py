@@ -12,7 +12,6 @@ from dataclasses import field
 
 from linkwright.data_classes import dataclass
 from linkwright.kernels.listing import Listing, P, Value, X
-from linkwright.kernels.operations import operation
 from linkwright.kernels.straight_line import Code, whole_power, written
 
 SCALAR, SHARED, OWN = "scalar", "shared", "own"
@@ -113,7 +112,7 @@ class Division:
 
     def computed(self, code: Code, value: Value, known: Callable[[int], str]) -> str:
         """Write a value's operation; ``known`` gives its operands."""
-        name, taken = operation(value.op).name, [known(i) for i in value.args]
+        name, taken = value.op, [known(i) for i in value.args]
         if name == "power" and (power := _whole_power(self.listing.values[value.args[1]])):
             return whole_power(code, taken[0], power)
         return written(code, name, taken)

@@ -10,10 +10,8 @@ from collections.abc import Sequence
 from functools import reduce
 from typing import Any
 
-import casadi as ca
-
-from linkwright.graph.program import ACCEPTED, MOST_STEPS, SOLVED, ExpressionStage, NewtonStage, Program
-from linkwright.kernels.operations import OPERATIONS, operation
+from linkwright.graph.program import ACCEPTED, MOST_STEPS, SOLVED, NewtonStage, Program
+from linkwright.symbols import CONSTANT, INPUT, OPERATIONS, OUTPUT, ExpressionStage
 
 NAMES = {name: name for name in OPERATIONS if name not in ("twice", "if_else_zero")} | {"fabs": "abs"}
 """What ``jax.numpy`` calls the operations that it has, by name; those two are written out."""
@@ -33,24 +31,23 @@ def _rows(jnp: Any, stage: ExpressionStage, x: Sequence[Any], p: Any) -> list[An
     holds: dict[int, Any] = {}
     found: list[Any] = [None] * stage.rows
     for i in stage.instructions:
-        if i.op == ca.OP_CONST:
+        if i.op == CONSTANT:
             holds[i.out] = jnp.float64(i.value)
-        elif i.op == ca.OP_INPUT:
+        elif i.op == INPUT:
             holds[i.out] = (x, p)[i.args[0]][i.args[1]]
-        elif i.op == ca.OP_OUTPUT:
+        elif i.op == OUTPUT:
             found[i.out] = holds[i.args[0]]
         else:
             holds[i.out] = _computed(jnp, i.op, [holds[a] for a in i.args]).astype(float)
     return found
 
 
-def _computed(jnp: Any, op: int, operands: list[Any]) -> Any:
-    name = operation(op).name
-    if name == "twice":
+def _computed(jnp: Any, op: str, operands: list[Any]) -> Any:
+    if op == "twice":
         return 2.0 * operands[0]
-    if name == "if_else_zero":
+    if op == "if_else_zero":
         return jnp.where(operands[0] != 0, operands[1], 0.0)
-    return getattr(jnp, NAMES[name])(*operands)
+    return getattr(jnp, NAMES[op])(*operands)
 
 
 def _solve(jax: Any, stage: NewtonStage, x: Sequence[Any], p: Any) -> list[Any]:

@@ -5,9 +5,7 @@ from __future__ import annotations
 from math import copysign, inf
 from typing import NamedTuple
 
-import casadi as ca
-
-from linkwright.graph.program import ExpressionStage
+from linkwright.symbols import CONSTANT, INPUT, OUTPUT, ExpressionStage
 
 X, P = 1, 2
 """What a value depends on, as bits: the pose's inputs, the parameters."""
@@ -16,14 +14,14 @@ X, P = 1, 2
 class Value(NamedTuple):
     """A value: a constant's ``number``, an input's ``source`` (0: x, 1: p; its row), or ``op`` of earlier values."""
 
-    op: int
+    op: str
     args: tuple[int, ...] = ()
     number: float = 0.0
     source: tuple[int, int] | None = None
 
     @property
     def constant(self) -> bool:
-        return self.op == ca.OP_CONST
+        return self.op == CONSTANT
 
 
 class Listing:
@@ -38,12 +36,12 @@ class Listing:
         outputs: dict[int, int] = {}
         holds: dict[int, int] = {}
         for i in stage.instructions:
-            if i.op == ca.OP_OUTPUT:
+            if i.op == OUTPUT:
                 outputs[i.out] = holds[i.args[0]]
                 continue
-            if i.op == ca.OP_CONST:
+            if i.op == CONSTANT:
                 value, needs = Value(i.op, number=i.value), 0
-            elif i.op == ca.OP_INPUT:
+            elif i.op == INPUT:
                 which, row = i.args
                 needs = P if which else X | P if row in solved else X
                 value = Value(i.op, source=(which, row))
@@ -63,15 +61,15 @@ class Listing:
         dividing takes a processor some ten times as long as multiplying."""
         divided: dict[int, list[int]] = {}
         for i, value in enumerate(self.values):
-            if value.op == ca.OP_DIV and not self.values[value.args[1]].constant:
+            if value.op == "divide" and not self.values[value.args[1]].constant:
                 divided.setdefault(value.args[1], []).append(i)
         shared = {by for by, of in divided.items() if len(of) > 1 or self.needs[by] != self.needs[of[0]]}
         if not shared:
             return
         values, needs, place, reciprocal = list[Value](), list[int](), list[int](), dict[int, int]()
         for i, value in enumerate(self.values):
-            if value.op == ca.OP_DIV and value.args[1] in shared:
-                value = Value(ca.OP_MUL, (place[value.args[0]], reciprocal[value.args[1]]))
+            if value.op == "divide" and value.args[1] in shared:
+                value = Value("multiply", (place[value.args[0]], reciprocal[value.args[1]]))
             elif value.args:
                 value = Value(value.op, tuple([place[arg] for arg in value.args]))
             place.append(len(values))
@@ -79,7 +77,7 @@ class Listing:
             needs.append(self.needs[i])
             if i in shared:
                 reciprocal[i] = len(values)
-                values.append(Value(ca.OP_INV, (place[i],)))
+                values.append(Value("reciprocal", (place[i],)))
                 needs.append(self.needs[i])
         self.values, self.needs = values, needs
         self.outputs = [place[i] for i in self.outputs]

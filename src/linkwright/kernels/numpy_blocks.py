@@ -13,14 +13,13 @@ from collections.abc import Callable
 from operator import itemgetter
 from typing import Any, ClassVar
 
-import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.graph.program import ExpressionStage, Instruction, Program
+from linkwright.graph.program import Program
 from linkwright.kernels.newton import solve
-from linkwright.kernels.operations import OPERATIONS, operation
 from linkwright.kernels.registry import flattened, register
+from linkwright.symbols import CONSTANT, INPUT, OPERATIONS, OUTPUT, ExpressionStage, Instruction
 
 Array = NDArray[np.float64]
 
@@ -154,9 +153,9 @@ class _Plan:
         return self.places[operand]
 
     def read(self, i: Instruction) -> None:
-        if i.op == ca.OP_CONST:
+        if i.op == CONSTANT:
             self.holds[i.out] = i.value
-        elif i.op == ca.OP_INPUT:
+        elif i.op == INPUT:
             which, row = i.args
             if which == 1 and self.p is not None:
                 self.holds[i.out] = float(self.p[row])
@@ -164,7 +163,7 @@ class _Plan:
             to = self.kinds[which], -1 - 2 * row - which
             self.inputs[self.place(to)] = which, row
             self.holds[i.out] = to
-        elif i.op == ca.OP_OUTPUT:
+        elif i.op == OUTPUT:
             self.outputs.append((len(self.work) + len(self.outputs), i.out, self.place(self.holds[i.args[0]])))
         else:
             self.compute(i)
@@ -181,9 +180,8 @@ class _Plan:
             self.work.append((function, itemgetter(*map(self.place, (*operands, self.holds[i.out])))))
 
     def lookup(self, i: Instruction) -> tuple[Callable[..., Any], list[Operand]]:
-        done = operation(i.op)
-        operands = [self.holds[slot] for slot in i.args[: done.operands]]
-        return FUNCTIONS[done.name], [*operands, 2.0] if done.name == "twice" else operands
+        operands = [self.holds[slot] for slot in i.args]
+        return FUNCTIONS[i.op], [*operands, 2.0] if i.op == "twice" else operands
 
 
 def _if_else_zero(condition: Any, value: Any, out: Array | None = None) -> Any:

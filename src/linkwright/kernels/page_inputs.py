@@ -11,8 +11,6 @@ from __future__ import annotations
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
-import casadi as ca
-
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import evaluate
@@ -21,7 +19,7 @@ from linkwright.expressions.typed_fields import Sign
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, ModelError
 from linkwright.graph.geometry import Geometry
-from linkwright.graph.program import ExpressionStage, Program
+from linkwright.graph.program import Program
 from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.drawn_constants import DrawnConstants
 from linkwright.kernels.motion_faults import asking
@@ -33,7 +31,8 @@ from linkwright.model.conditions import Condition, Values, varying_conditions
 from linkwright.model.quantities import LARGEST, Quantities
 from linkwright.model.sampled import dependent, names_in
 from linkwright.model.walk import QuantityPlace
-from linkwright.notation.symbols import Symbol
+from linkwright.notation.jets import symbolic
+from linkwright.symbols import ExpressionStage, Symbol, as_symbol, choice, derivatives_along, ordered
 
 Length = Callable[[Values], tuple[Any, Condition]]
 """The length of a run (s) by what gives the values of expressions, and the condition that it has one."""
@@ -50,21 +49,21 @@ def derived_parameters(quantities: Quantities, tangents: bool = False, drawn: Se
     names, parts = tuple(quantities.parameters), quantities.mechanism.parameters
     free = tuple(name for name in names if not names_in(parts[name].value.node) & {*names} and name not in drawn)
     free = (*free, *drawn)
-    x = ca.SX.sym("x", len(free))
-    given = dict(zip(free, ca.vertsplit(x) if free else (), strict=True))
+    x = Symbol.several("x", len(free))
+    given = dict(zip(free, x, strict=True))
     known = {name: value for name, value in given.items() if name not in drawn}
     for name in quantities.order:
         if name not in known:
             node = quantities.bind(parts[name].value, quantities.dimensions.of(name))
-            known[name] = ca.SX(evaluate(node, lambda other: known[other.text]))
+            known[name] = as_symbol(evaluate(node, lambda other: known[other.text]))
             if name in drawn:
-                known[name] = ca.if_else(ca.fabs(given[name]) < LARGEST, given[name], known[name])
+                known[name] = choice(abs(given[name]) < LARGEST, given[name], known[name])
     rows = [known[name] for name in names]
     if tangents:
-        along = ca.SX.sym("direction", len(free))
-        rows = ca.vertsplit(ca.jtimes(ca.vertcat(*rows), x, along)) if names else []
-        x, free = ca.vertcat(x, along), (*free, *(f"d({name})" for name in free))
-    return Program((), ExpressionStage.from_rows(x, ca.SX(0, 1), rows), free, (), names)
+        along = Symbol.several("direction", len(free))
+        rows = derivatives_along(rows, dict(zip(x, along, strict=True)))
+        x, free = [*x, *along], (*free, *(f"d({name})" for name in free))
+    return Program((), ExpressionStage(x, [], rows), free, (), names)
 
 
 def locked_parameters(compiled: Compiled, free: Iterable[str]) -> dict[str, Finding]:
@@ -109,7 +108,7 @@ def law_program(compiled: Compiled, fixed: Container[str]) -> Program:
     t: Any = Symbol.named("t")
     p, parameters = _parameters(compiled, fixed)
     rows = [part for drive in compiled.graph.drives for part in compiled.laws[drive].at(t, parameters).d]
-    return _program(compiled, t, p, rows, ("t",))
+    return _program(compiled, [t], p, rows, ("t",))
 
 
 def law_slopes_program(compiled: Compiled, fixed: Container[str]) -> Program:
@@ -117,11 +116,11 @@ def law_slopes_program(compiled: Compiled, fixed: Container[str]) -> Program:
     parameters: a drive that starts as drawn turns with the sketch."""
     t: Any = Symbol.named("t")
     p, parameters = _parameters(compiled, fixed)
-    along = ca.SX.sym("direction", p.numel())
-    rows = [part for drive in compiled.graph.drives for part in compiled.laws[drive].at(t, parameters).d]
-    slopes = ca.vertsplit(ca.jtimes(ca.vertcat(*rows), p, along)) if p.numel() else [0.0 for _ in rows]
+    along = Symbol.several("direction", len(p))
+    rows = [as_symbol(part) for drive in compiled.graph.drives for part in compiled.laws[drive].at(t, parameters).d]
+    slopes = derivatives_along(rows, dict(zip(p, along, strict=True)))
     names = (*compiled.graph.parameters, *(f"d({name})" for name in compiled.graph.parameters))
-    stage = ExpressionStage.from_rows(t, ca.vertcat(p, along), slopes)
+    stage = ExpressionStage([t], [*p, *along], slopes)
     return Program((), stage, ("t",), names, tuple(map(str, range(len(rows)))))
 
 
@@ -130,7 +129,7 @@ def ratio_program(compiled: Compiled, fixed: Container[str]) -> Program:
     (rad or m) and rate, follower by follower."""
     followers = compiled.supply.followers
     p, parameters = _parameters(compiled, fixed)
-    x = ca.SX.sym("x", 2 * len(followers))
+    x = Symbol.several("x", 2 * len(followers))
     rows = [part for i, law in enumerate(followers.values()) for part in law.ratio(x[2 * i], x[2 * i + 1], parameters)]
     return _program(compiled, x, p, rows, tuple(f"{name}:{k}" for name in followers for k in (0, 1)))
 
@@ -149,7 +148,7 @@ def constants_program(compiled: Compiled, length: Length | None = None) -> Progr
     rows += [one.margin for one in conditions]
     rows += [figure.value for one in conditions for figure in one.figures]
     rows.append(0.0 if length is None else length(geometry.number)[0])
-    return _program(compiled, ca.SX(0, 1), p, rows, ())
+    return _program(compiled, [], p, rows, ())
 
 
 def shape_program(compiled: Compiled) -> Program:
@@ -160,16 +159,15 @@ def shape_program(compiled: Compiled) -> Program:
     points = [geometry.point(link, name) for link, entry in mechanism.links.items() for name in entry.points]
     rows = [coordinate for point in points for coordinate in point]
     rows += [geometry.heading_angle(n, link) for n, joint in mechanism.prismatic_joints() for link in joint.links]
-    return _program(compiled, ca.SX(0, 1), p, rows, ())
+    return _program(compiled, [], p, rows, ())
 
 
 def shaping(compiled: Compiled, derived: Program, shape: Program) -> dict[str, list[int]]:
     """Of each link, which free parameters (by their numbers) its points depend on."""
-    x = ca.SX.sym("x", len(derived.inputs))
-    p = derived.block.function(x, ca.SX(0, 1))
-    rows = ca.SX(shape.block.function(ca.SX(0, 1), p))
-    sparsity = ca.jacobian(rows, x).sparsity()
-    depends = list(zip(*sparsity.get_triplet(), strict=True)) if len(derived.inputs) else []
+    x = Symbol.several("x", len(derived.inputs))
+    rows = shape.block.symbols([], derived.block.symbols(x, []))
+    place = {symbol: i for i, symbol in enumerate(x)}
+    depends = [(row, place[part]) for row, made in enumerate(rows) for part in ordered([made]) if part in place]
     found, first = dict[str, list[int]](), 0
     for link, entry in compiled.mechanism.links.items():
         last = first + 2 * len(entry.points)
@@ -192,7 +190,7 @@ def number_conditions(
         except (KeyError, ExpressionError):  # it varies with the motion, and is looked at there
             raise DimensionError("expression.not-constant", name="") from None
 
-    found = varying_conditions(compiled.quantities, value, lambda margin: not ca.SX(margin).is_constant())
+    found = varying_conditions(compiled.quantities, value, _varies)
     lasting = [] if length is None else [length(geometry.number)[1]]
     return [*found, *_law_conditions(compiled, given), *lasting]
 
@@ -205,10 +203,10 @@ def _law_conditions(compiled: Compiled, parameters: Mapping[str, Any]) -> Iterat
         if law.names - law.fixed and all(follower is None for _, follower in askers):
             for wrong in motion_conditions(quantities, name, law, parameters):
                 finding = Finding("law.values", ("laws", name), {"law": name})
-                yield Condition(ca.if_else(wrong, -1.0, 1.0), Sign.NOT_NEGATIVE, finding)
+                yield Condition(choice(wrong, -1.0, 1.0), Sign.NOT_NEGATIVE, finding)
     for name, table in compiled.mechanism.tables.items():
         margin = closing_margin(quantities, table, parameters)
-        if margin is not None and not ca.SX(margin).is_constant():
+        if margin is not None and _varies(margin):
             yield Condition(margin, Sign.NOT_NEGATIVE, Finding("table.not-closed", ("tables", name), {}))
 
 
@@ -221,14 +219,19 @@ def table_pieces(table: StatedTable) -> dict[str, Any]:
     return {"knots": knots.tolist(), "powers": powers.tolist(), "ends": ends, "period": table.period}
 
 
-def _parameters(compiled: Compiled, fixed: Container[str]) -> tuple[Any, Mapping[str, Any]]:
+def _parameters(compiled: Compiled, fixed: Container[str]) -> tuple[list[Symbol], Mapping[str, Any]]:
     """The parameters as a column of symbols, and by name: the fixed ones as numbers."""
     names, nominal = compiled.graph.parameters, compiled.quantities.parameters
     symbols = [Symbol.named(name) for name in names]
     given = {name: nominal[name] if name in fixed else symbol for name, symbol in zip(names, symbols, strict=True)}
-    return ca.vertcat(*symbols), given
+    return symbols, given
 
 
-def _program(compiled: Compiled, x: Any, p: Any, rows: list[Any], inputs: tuple[str, ...]) -> Program:
-    stage = ExpressionStage.from_rows(x, p, rows)
+def _varies(margin: Any) -> bool:
+    """Whether a margin depends on symbols."""
+    return symbolic(margin) and not margin.is_constant()
+
+
+def _program(compiled: Compiled, x: list[Symbol], p: list[Symbol], rows: list[Any], inputs: tuple[str, ...]) -> Program:
+    stage = ExpressionStage(x, p, rows)
     return Program((), stage, inputs, compiled.graph.parameters, tuple(map(str, range(len(rows)))))

@@ -15,7 +15,7 @@ from typing import Protocol
 
 from linkwright.graph.program import NewtonStage
 from linkwright.kernels import elementary
-from linkwright.kernels.operations import OPERATIONS
+from linkwright.symbols import OPERATIONS
 
 PRIMITIVES: Mapping[str, int] = {
     "add": 2,
@@ -92,7 +92,6 @@ def _holds(code: Code, x: str, comparison: str = "not_equal") -> str:
 
 
 _WRITTEN: dict[str, Callable[..., str]] = {
-    "positive": lambda code, x: x,
     "twice": lambda code, x: code.do("multiply", code.number(2.0), x),
     "square": lambda code, x: code.do("multiply", x, x),
     "reciprocal": lambda code, x: code.do("divide", code.number(1.0), x),

@@ -7,7 +7,7 @@ from importlib.metadata import version
 from linkwright import _version
 from linkwright.kernels.registry import KERNELS
 
-LIBRARIES = ("casadi", "numpy", "scipy")
+LIBRARIES = ("numpy", "scipy")
 """They make, order or evaluate the instructions of every program."""
 
 

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from linkwright.notation import Scalar
 from linkwright.notation.duals import Dual, slope_of, value_of
 from linkwright.notation.jets import call, symbolic
+from linkwright.symbols import OrthogonalFactors
 
 Array = NDArray[np.float64]
 
@@ -108,11 +109,7 @@ def _expressed(rows: Sequence[Sequence[Scalar]], given: Sequence[Scalar]) -> lis
     if all(plain(*row) for row in rows):
         inverse = np.linalg.inv(np.array(rows, dtype=float)).tolist()
         return [sum((k * n for k, n in zip(row, given, strict=True) if k), 0.0) for row in inverse]
-    import casadi as ca
-
-    matrix = ca.sparsify(ca.vertcat(*(ca.horzcat(*row) for row in rows)))
-    x = ca.qr_solve(ca.densify(ca.vertcat(*given)), *ca.qr_sparse(matrix), False)
-    return list(ca.vertsplit(x))
+    return [*OrthogonalFactors(rows).solve(given)]
 
 
 def _stacked(numbers: Sequence[Any]) -> Array:

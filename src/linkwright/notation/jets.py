@@ -3,7 +3,7 @@
 A jet ``(f, f', f'', ...)`` carries univariate automatic differentiation (Griewank and Walther,
 *Evaluating Derivatives*, 2nd ed., ch. 13): each operation maps jets to jets exactly, and its cost grows
 with the square of the order instead of doubling at each one. The entries may be floats, NumPy arrays
-(motion laws, measures) or CasADi ``SX`` symbols (the mechanism's graph); the code is the same.
+(motion laws, measures) or symbols (the mechanism's graph); the code is the same.
 """
 
 from __future__ import annotations
@@ -14,8 +14,10 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.symbols import Symbol
+
 Scalar = Any
-"""A float, a NumPy array, a dual or a CasADi ``SX`` scalar."""
+"""A float, a NumPy array, a dual or a symbol."""
 
 MAX_ORDER = 3
 """The highest order reported: position 0, velocity 1, acceleration 2, jerk 3."""
@@ -30,19 +32,15 @@ def is_zero(value: Scalar) -> bool:
 
 
 def symbolic(value: Scalar) -> bool:
-    """Whether a value is a CasADi symbol, told without loading CasADi."""
-    return hasattr(type(value), "is_symbolic")
+    """Whether a value is a symbol of an expression graph."""
+    return isinstance(value, Symbol)
 
 
 def call(name: str, *args: Scalar) -> Scalar:
-    """Apply an elementary function by its NumPy name to numbers, arrays, duals or CasADi symbols."""
+    """Apply an elementary function by its NumPy name to numbers, arrays, duals or symbols."""
     for arg in args:
         if (own := getattr(arg, "elementary", None)) is not None:
             return own(name, *args)
-        if symbolic(arg):
-            from linkwright.notation.symbols import Symbol
-
-            return Symbol.elementary(name, *args)
     return getattr(np, name)(*args)
 
 

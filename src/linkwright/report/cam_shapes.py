@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
@@ -18,7 +17,9 @@ from linkwright.elements.cam_contact.second import second as second_touch
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
 from linkwright.notation import Jet
+from linkwright.notation.jets import call
 from linkwright.report.outlines import LiveOutline, Shapes, outline_program
+from linkwright.symbols import Symbol
 
 Array = NDArray[np.float64]
 
@@ -75,7 +76,7 @@ def _outlines(compiled: Compiled, name: str) -> Iterator[LiveOutline]:
     turn = np.linspace(0.0, 2 * np.pi, POINTS, endpoint=False)
     flanks = (-1, 1) if drive.cam.closed == "groove" else (-1,)
 
-    def profile(geometry: Geometry, x: list[ca.SX]) -> list[tuple[ca.SX, ca.SX]]:
+    def profile(geometry: Geometry, x: list[Symbol]) -> list[tuple[Symbol, Symbol]]:
         return outline(geometry, drive, Jet([x[0], 1.0, 0.0]), Jet([x[1], x[2], x[3]]), flanks)
 
     lift = lifts(Jet([turn, np.ones(POINTS), np.zeros(POINTS)]))
@@ -84,11 +85,11 @@ def _outlines(compiled: Compiled, name: str) -> Iterator[LiveOutline]:
     if drive.cam.roller is None:
         return
 
-    def rollers(geometry: Geometry, x: list[ca.SX]) -> list[tuple[ca.SX, ca.SX]]:
+    def rollers(geometry: Geometry, x: list[Symbol]) -> list[tuple[Symbol, Symbol]]:
         touches = [touch(geometry, drive)]
         if drive.has_second_contact:
             touches.append(second_touch(geometry, drive, largest(drive, compiled.motions[drive.cam.law])))
         radius = seat(geometry, drive).roller
-        return [(one.at.x + radius * ca.cos(x[0]), one.at.y + radius * ca.sin(x[0])) for one in touches]
+        return [(one.at.x + radius * call("cos", x[0]), one.at.y + radius * call("sin", x[0])) for one in touches]
 
     yield LiveOutline(drive.link, outline_program(compiled, 1, rollers), turn[::3, None])

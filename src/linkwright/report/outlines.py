@@ -5,16 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
-import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.graph.geometry import Geometry
-from linkwright.graph.program import ExpressionStage, Program
+from linkwright.graph.program import Program
 from linkwright.kernels import Compiled
 from linkwright.notation import Scalar
-from linkwright.notation.symbols import Symbol
 from linkwright.report.data import LiveOutline as LiveOutlineData
+from linkwright.symbols import ExpressionStage, Symbol
 
 Array = NDArray[np.float64]
 
@@ -48,12 +47,12 @@ class LiveOutline(NamedTuple):
 
 
 def outline_program(
-    compiled: Compiled, count: int, places: Callable[[Geometry, list[ca.SX]], Sequence[tuple[Scalar, Scalar]]]
+    compiled: Compiled, count: int, places: Callable[[Geometry, list[Symbol]], Sequence[tuple[Scalar, Scalar]]]
 ) -> Program:
     """The program of lines at any parameters: their ``places`` by the dimensions and by so many inputs."""
     names = compiled.graph.parameters
     symbols = [Symbol.named(each) for each in names]
-    geometry, x = Geometry(compiled.quantities, dict(zip(names, symbols, strict=True))), ca.SX.sym("x", count)
-    rows = [coordinate for place in places(geometry, ca.vertsplit(x)) for coordinate in place]
+    geometry, x = Geometry(compiled.quantities, dict(zip(names, symbols, strict=True))), Symbol.several("x", count)
+    rows = [coordinate for place in places(geometry, x) for coordinate in place]
     inputs, outputs = (tuple(map(str, range(size))) for size in (count, len(rows)))
-    return Program((), ExpressionStage.from_rows(x, ca.vertcat(*symbols), rows), inputs, names, outputs)
+    return Program((), ExpressionStage(x, symbols, rows), inputs, names, outputs)

@@ -3,36 +3,28 @@ r"""Tolerance allocation: the cheapest tolerances with which all outputs meet th
 Costs are convex in the half-widths :math:`d`. Of the two kinds of rows of a problem (``allocation_problem.py``) the
 first is a convex quadratic (a correlation matrix has no negative eigenvalue), the second is linear: the problem is
 convex, so a point that meets the conditions of Karush, Kuhn and Tucker is the optimum (Boyd and Vandenberghe, Convex
-Optimization, 2004, 5.5.3). It is solved in log d, where costs over decades are flat; a change of variables makes no new
-optima.
+Optimization, 2004, 5.5.3).
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.studies.accuracy.allocation_outcome import AllocatedTarget, Allocation, Allotted, Optimality
 from linkwright.studies.accuracy.allocation_problem import SLACK, Problem, hull
-from linkwright.studies.accuracy.costs import NEAR, Stepped
+from linkwright.studies.accuracy.convex_minimum import Convex, Values, minimum
+from linkwright.studies.accuracy.costs import NEAR, CostLaw, Stepped
 from linkwright.studies.accuracy.rounding import RoundedWidths, rounded
 
 Array = NDArray[np.float64]
 
 NONE = 1e-8
 """A multiplier below this share of the cost is what an interior point method leaves where there is slack."""
-SETTINGS: dict[str, Any] = {
-    "print_time": False,
-    "ipopt.print_level": 0,
-    "ipopt.sb": "yes",
-    "ipopt.tol": 1e-11,
-    "ipopt.constr_viol_tol": 1e-12,
-    "ipopt.bound_relax_factor": 0.0,
-    "ipopt.max_iter": 1000,
-}
+APART = 1e-9
+"""Half-widths that may not vary get this share of room, in which a method of inner points can move."""
 
 
 def allocate(problem: Problem) -> Allocation:
@@ -99,95 +91,122 @@ def _demands(problem: Problem) -> range:
     return range(len(problem.demands))
 
 
-def _symbolic_target_use(problem: Problem, every: Any, rows: Sequence[int]) -> list[Any]:
-    """The uses of some rows in symbols."""
-    import casadi as ca
+class _Scaled:
+    """A problem as a convex one in variables of a size of about 1: the free half-widths over their means ``middle``,
+    then further variables of which conditions are made."""
 
-    found = []
-    for row in rows:
-        part = ca.DM(problem.weights[row]) * every
-        found.append(ca.bilin(ca.DM(problem.correlation), part, part) if problem.squared[row] else ca.sum1(part))
-    return found
+    def __init__(self, problem: Problem, rows: Sequence[int], further: Array) -> None:
+        self.problem, self.rows = problem, [*rows]
+        low, high = problem.half_width_limits
+        self.middle = np.sqrt(low * high)
+        self.count = self.middle.size
+        self.start = np.concatenate([np.ones(self.count), further])
+        self.low = low / self.middle * (1 - APART)
+        self.high = high / self.middle * (1 + APART)
 
+    def halves(self, x: Array) -> Array:
+        """The free half-widths."""
+        return self.middle * x[: self.count]
 
-def _symbols(problem: Problem) -> tuple[Any, Any, Array]:
-    """The logarithms of the free half-widths over their means, all half-widths, and those means."""
-    import casadi as ca
+    def uses(self, x: Array) -> tuple[Array, Array]:
+        """How much of its target each row uses, and its slopes by all variables."""
+        halves = self.halves(x)
+        slopes = np.zeros((len(self.rows), x.size))
+        slopes[:, : self.count] = self.problem.slopes(halves)[self.rows] * self.middle
+        return self.problem.target_use(halves)[self.rows], slopes
 
-    low, high = problem.half_width_limits
-    middle = np.sqrt(low * high)
-    u = ca.SX.sym("u", len(problem.free))
-    every = ca.SX(ca.DM(problem.now))
-    every[problem.free] = ca.DM(middle) * ca.exp(u)
-    return u, every, middle
+    def ends(self, x: Array) -> tuple[Array, Array]:
+        """That half-widths lie in their ranges, as conditions, with their slopes."""
+        y = x[: self.count]
+        slopes = np.zeros((2 * self.count, x.size))
+        slopes[range(self.count), range(self.count)] = -1.0
+        slopes[range(self.count, 2 * self.count), range(self.count)] = 1.0
+        return np.concatenate([self.low - y, y - self.high]), slopes
+
+    def curvature(self, x: Array, multipliers: Array) -> Array:
+        """The curvature of the uses: that of a square doesn't change."""
+        found = np.zeros((x.size, x.size))
+        problem, free = self.problem, self.problem.free
+        for row, multiplier in zip(self.rows, multipliers, strict=False):
+            if problem.squared[row]:
+                weights = problem.weights[row][free] * self.middle
+                correlation = problem.correlation[np.ix_(free, free)]
+                found[: self.count, : self.count] += 2 * multiplier * correlation * np.outer(weights, weights)
+        return found
 
 
 def _solved(problem: Problem, rows: Sequence[int]) -> tuple[Array, Array]:
     """The optimum under some rows, and their multipliers (of uses, in cost)."""
-    import casadi as ca
-
-    low, high = problem.half_width_limits
-    u, every, middle = _symbols(problem)
-    scale = problem.hull(middle) or 1.0
-    # Smooth laws enter the cost as formulas. A stepped law enters as its convex hull: a new variable above all
+    # Smooth laws enter the cost as they are. A stepped law enters as its convex hull: a variable above all its
     # straight pieces (epigraph form).
-    total, levels, pieces = ca.SX(0), [], []
-    for half, law in zip(ca.vertsplit(every[problem.free]), problem.laws, strict=True):
-        if isinstance(law, Stepped):  # a level above all pieces of the hull
-            level = ca.SX.sym("level")
-            levels.append(level)
-            pieces += [(a + s * half) / scale - level for a, s in zip(*law.pieces, strict=True)]
-            pieces.append(law.costs.min() / scale - level)
-            total += level
-        else:
-            total += law.formula(half) / scale  # type: ignore[attr-defined]
-    uses = _symbolic_target_use(problem, every, rows)
-    # Solve with IPOPT in the logarithms of the half-widths; costs are scaled to about one.
-    found = _minimum(
-        ca.vertcat(u, *levels),
-        total,
-        ca.vertcat(*uses, *pieces),
-        [*([1.0] * len(uses)), *([0.0] * len(pieces))],
-        (np.log(low / middle), np.log(high / middle)),
-    )
-    # Undo the logarithm; tiny multipliers are what an interior point method leaves, and count as zero.
-    halves = np.clip(middle * np.exp(np.array(found["x"]).ravel()[: low.size]), low, high)
-    multipliers = np.array(found["lam_g"]).ravel()[: len(uses)]
-    return halves, np.where(multipliers < NONE, 0.0, multipliers) * scale
+    laws = problem.laws
+    stepped = [i for i, law in enumerate(laws) if isinstance(law, Stepped)]
+    scaled = _Scaled(problem, rows, np.zeros(len(stepped)))
+    scale = problem.hull(scaled.middle) or 1.0
+    levels = [hull(laws[i], scaled.middle[i]) / scale + 1.0 for i in stepped]
+    scaled.start[scaled.count :] = levels
+    pieces = [(scaled.count + k, i, a / scale, s / scale) for k, i in enumerate(stepped) for a, s in _pieces(laws[i])]
+
+    def values(x: Array) -> Values:
+        halves, gradient = scaled.halves(x), np.zeros(x.size)
+        gradient[scaled.count :] = 1.0
+        for i, law in enumerate(laws):
+            if i not in stepped:
+                gradient[i] = law.slopes(halves[i])[0] * scaled.middle[i] / scale
+        above, above_slopes = np.zeros(len(pieces)), np.zeros((len(pieces), x.size))
+        for row, (level, i, a, s) in enumerate(pieces):
+            above[row] = a + s * halves[i] - x[level]
+            above_slopes[row, [i, level]] = s * scaled.middle[i], -1.0
+        uses, slopes = scaled.uses(x)
+        ends, end_slopes = scaled.ends(x)
+        return Values(
+            gradient, np.concatenate([uses - 1.0, above, ends]), np.vstack([slopes, above_slopes, end_slopes])
+        )
+
+    def curvature(x: Array, multipliers: Array) -> Array:
+        found = scaled.curvature(x, multipliers[: len(rows)])
+        for i, law in enumerate(laws):
+            if not isinstance(law, Stepped):
+                found[i, i] += law.curvature(scaled.halves(x)[i]) * scaled.middle[i] ** 2 / scale  # type: ignore[attr-defined]
+        return found
+
+    x, multipliers = minimum(Convex(scaled.start, values, curvature))
+    # Tiny multipliers are what an interior point method leaves, and count as zero.
+    of_rows = multipliers[: len(rows)]
+    halves = np.clip(scaled.halves(x), *problem.half_width_limits)
+    return halves, np.where(of_rows < NONE, 0.0, of_rows) * scale
+
+
+def _pieces(law: CostLaw) -> list[tuple[float, float]]:
+    """The straight pieces of a stepped law's hull, intercepts and slopes; the last is its least cost."""
+    assert isinstance(law, Stepped)
+    return [*zip(*(part.tolist() for part in law.pieces), strict=True), (float(law.costs.min()), 0.0)]
 
 
 def _closest(problem: Problem) -> Array:
     """The half-widths that come closest to the targets: the least ones, unless errors of parts that are made together
     cancel."""
-    import casadi as ca
-
     low, high = problem.half_width_limits
     # Without negative correlations smaller tolerances always help, so the least ones are closest.
     part = problem.weights[problem.squared][:, :, None] * problem.weights[problem.squared][:, None, :]
     if not (part * problem.correlation < 0).any():
         return low
-    u, every, middle = _symbols(problem)
-    most = ca.SX.sym("most")
-    uses = _symbolic_target_use(problem, every, range(problem.owner.size))
-    # Otherwise minimise the largest use of all rows.
-    found = _minimum(
-        ca.vertcat(u, most),
-        most,
-        ca.vertcat(*uses) - most,
-        [0.0] * len(uses),
-        (np.log(low / middle), np.log(high / middle)),
-    )
-    halves = np.clip(middle * np.exp(np.array(found["x"]).ravel()[: low.size]), low, high)
+    # Otherwise minimise the largest use of all rows, a variable above all of them.
+    rows = range(problem.owner.size)
+    scaled = _Scaled(problem, rows, np.zeros(1))
+    scaled.start[-1] = problem.target_use(scaled.middle).max() + 1.0
+
+    def values(x: Array) -> Values:
+        gradient = np.zeros(x.size)
+        gradient[-1] = 1.0
+        uses, slopes = scaled.uses(x)
+        slopes[:, -1] = -1.0
+        ends, end_slopes = scaled.ends(x)
+        return Values(gradient, np.concatenate([uses - x[-1], ends]), np.vstack([slopes, end_slopes]))
+
+    x, _ = minimum(Convex(scaled.start, values, lambda x, multipliers: scaled.curvature(x, multipliers[: len(rows)])))
+    halves = np.clip(scaled.halves(x), low, high)
     return np.asarray(halves if problem.shares(halves).max() < problem.shares(low).max() else low)
-
-
-def _minimum(x: Any, f: Any, g: Any, most: list[float], ends: tuple[Array, Array]) -> Any:
-    """Minimise f(x) where g(x) <= most and the first of x lie between the ends."""
-    import casadi as ca
-
-    open_ = [np.inf] * (x.numel() - ends[0].size)
-    solver = ca.nlpsol("allocation", "ipopt", {"x": x, "f": f, "g": g}, SETTINGS)
-    return solver(x0=0.0, lbx=[*ends[0], *(-value for value in open_)], ubx=[*ends[1], *open_], lbg=-np.inf, ubg=most)
 
 
 def _outcome(

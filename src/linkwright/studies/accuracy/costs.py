@@ -8,6 +8,7 @@ Speckhart, J. Eng. Ind. 94 (1972) 447-453 (exponential).
 
 from __future__ import annotations
 
+import math
 import re
 from abc import abstractmethod
 from collections.abc import Callable, Mapping
@@ -49,10 +50,11 @@ class CostLaw(Protocol):
 
 @dataclass(frozen=True)
 class Smooth:
-    """A law with derivatives; ``formula`` takes numbers, arrays and symbols."""
+    """A law with its first and second derivatives."""
 
-    formula: Callable[[Any], Any]
+    formula: Callable[[float], float]
     slope: Callable[[float], float]
+    curvature: Callable[[float], float]
 
     def cost(self, half: float) -> float:
         return float(self.formula(half))
@@ -167,7 +169,7 @@ class Reciprocal(Cost):
 
     def law(self, size: float, widths: Widths) -> CostLaw:
         a, b = self.reciprocal[0], self.reciprocal[1] * size
-        return Smooth(lambda d: a + b / d, lambda d: -b / d**2)
+        return Smooth(lambda d: a + b / d, lambda d: -b / d**2, lambda d: 2 * b / d**3)
 
 
 @register
@@ -179,7 +181,7 @@ class ReciprocalSquared(Cost):
 
     def law(self, size: float, widths: Widths) -> CostLaw:
         a, b = self.reciprocal_squared[0], self.reciprocal_squared[1] * size**2
-        return Smooth(lambda d: a + b / d**2, lambda d: -2 * b / d**3)
+        return Smooth(lambda d: a + b / d**2, lambda d: -2 * b / d**3, lambda d: 6 * b / d**4)
 
 
 @register
@@ -191,7 +193,11 @@ class Exponential(Cost):
 
     def law(self, size: float, widths: Widths) -> CostLaw:
         a, b, m = self.exponential[0], self.exponential[1], self.exponential[2] * size
-        return Smooth(lambda d: a + b * np.e ** (-d / m), lambda d: -b / m * float(np.exp(-d / m)))
+        return Smooth(
+            lambda d: a + b * math.exp(-d / m),
+            lambda d: -b / m * math.exp(-d / m),
+            lambda d: b / m**2 * math.exp(-d / m),
+        )
 
 
 def _processes(raw: Any) -> tuple[tuple[str | float, float], ...]:
