@@ -1,7 +1,8 @@
 """Linear systems written out in a program against a library's solver: ``python benchmarks/linear.py [--json]``.
 
 A dense system of n unknowns, its matrix and right side made from 2 n inputs of each pose so that nothing can be folded:
-instructions of the orthogonal factors, their time a pose by each kernel and as an array solve (LAPACK), and the digits kept.
+instructions of the orthogonal factors, their time a pose by each kernel and as an array solve (LAPACK), and the digits
+kept.
 """
 
 from __future__ import annotations

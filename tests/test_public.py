@@ -188,7 +188,7 @@ def test_a_registered_name_stands_on_its_class(registry: dict[str, Any], key: st
 # Imports go down only.
 
 LEVELS = {
-    "data_classes": -1,
+    **dict.fromkeys(("data_classes", "symbols"), -1),
     **dict.fromkeys(("_lazy", "_version", "escape", "interrupts", "notation", "plugins", "words", "gallery"), 0),
     **dict.fromkeys(("findings", "laws", "tolerances"), 1),
     **dict.fromkeys(("_machine", "expressions", "presentation"), 2),
@@ -217,6 +217,7 @@ SIDES = {
         side: set[str]()
         for side in ("_lazy", "_version", "escape", "interrupts", "notation", "plugins", "records", "words", "gallery")
     },
+    "notation": {"symbols"},
     "findings": {"escape", "words"},
     "laws": {"notation"},
     "tolerances": {"notation"},

@@ -1,8 +1,8 @@
 """Ctrl-C at any moment: an interrupt waits where it would come out as another error, or get lost.
 
 An import may turn it into an ImportError, and a module that tries what it can import passes over that. Some modules of
-ruamel.yaml pass over it by a bare ``except:``. That of pydantic turns one that comes while it builds a validator into an
-error of the schema. Of a finalizer, Python prints what it raises and goes on.
+ruamel.yaml pass over it by a bare ``except:``. That of pydantic turns one that comes while it builds a validator into
+an error of the schema. Of a finalizer, Python prints what it raises and goes on.
 """
 
 from __future__ import annotations

@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 
 from linkwright.graph.program import Program
-from linkwright.notation.jets import call
 from linkwright.symbols import OPERATIONS, ExpressionStage, Operation, Symbol, as_symbol, choice
 
 
@@ -37,13 +36,16 @@ def rows_of(*expressions: Any) -> Program:
 
 
 EVERY = [
-    lambda x, p: (-2.5) ** x, lambda x, p: x**3, lambda x, p: x ** (-2), lambda x, p: call("fabs", x) ** 0.5,
-    lambda x, p: call("fabs", x) ** p, lambda x, p: x**1.5, lambda x, p: 2.0 - (-3.0) * x, lambda x, p: -x / (p - x),
-    lambda x, p: call("sin", x) + call("cos", x) * call("tan", x), lambda x, p: call("arcsin", x / 9) + call("arccos", x / 9) * call("arctan", x),
-    lambda x, p: call("arctan2", x, p), lambda x, p: call("exp", x) + call("log", call("fabs", x)), lambda x, p: call("sign", x) * call("floor", x),
-    lambda x, p: call("fmin", x, p) + call("fmax", x, 2 * p), lambda x, p: call("hypot", x, p), lambda x, p: call("copysign", p, x),
-    lambda x, p: choice(x < p, x, -p), lambda x, p: choice(call("logical_and", x <= p, x > -p), x * x, p),
-    lambda x, p: choice(call("logical_or", x.do("equal", p), x.do("not_equal", 1.0)), 1.0, 0.0) + call("logical_not", x > 0),
+    lambda x, p: (-2.5) ** x, lambda x, p: x**3, lambda x, p: x ** (-2), lambda x, p: abs(x) ** 0.5,
+    lambda x, p: abs(x) ** p, lambda x, p: x**1.5, lambda x, p: 2.0 - (-3.0) * x, lambda x, p: -x / (p - x),
+    lambda x, p: x.do("sin") + x.do("cos") * x.do("tan"),
+    lambda x, p: (x / 9).do("arcsin") + (x / 9).do("arccos") * x.do("arctan"),
+    lambda x, p: x.do("arctan2", p), lambda x, p: x.do("exp") + abs(x).do("log"),
+    lambda x, p: x.do("sign") * x.do("floor"), lambda x, p: x.do("fmin", p) + x.do("fmax", 2 * p),
+    lambda x, p: x.do("hypot", p), lambda x, p: p.do("copysign", x),
+    lambda x, p: choice(x < p, x, -p), lambda x, p: choice((x <= p).do("logical_and", x > -p), x * x, p),
+    lambda x, p: choice(x.do("equal", p).do("logical_or", x.do("not_equal", 1.0)), 1.0, 0.0),
+    lambda x, p: (x > 0).do("logical_not"),
     lambda x, p: x, lambda x, p: p, lambda x, p: 7.25, lambda x, p: 2 * x, lambda x, p: 1 / x,
     lambda x, p: p * p,
 ]  # fmt: skip

@@ -110,7 +110,7 @@ FUNCTIONS: dict[str, Function] = {
 def evaluate(node: Node, name: Callable[[Name], Any], other: Callable[[Call], Any] | None = None) -> Any:
     """The value of a bound tree (numbers in SI): ``name`` gives names' values, ``other`` tables and signals.
 
-    Works alike on floats, NumPy arrays inside jets, and CasADi symbols. Of floats, what has no finite real
+    Works alike on floats, NumPy arrays inside jets, and symbols. Of floats, what has no finite real
     value (1/0, (-1)^0.5) comes out as NaN or infinity.
     """
     if isinstance(node, Number):

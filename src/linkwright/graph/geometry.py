@@ -20,7 +20,7 @@ ZERO = Pair(0.0, 0.0)
 
 
 class Geometry:
-    """Coordinates, masses and loads of a mechanism for given parameter values (floats or CasADi symbols), in SI.
+    """Coordinates, masses and loads of a mechanism for given parameter values (floats or symbols), in SI.
 
     ``plays`` are offsets of joints that no signal or mass shares, ``JOINT/NAME``: ``PIN/LINK/x`` and ``/y`` move the
     place on the link (m, in its frame) that is put on the pin; ``SLIDE/normal`` and ``SLIDE/tilt`` move the second

@@ -17,7 +17,7 @@ from linkwright.elements.force import Acting
 from linkwright.expressions.language import Call, Name, parse
 from linkwright.graph.actions import Actions
 from linkwright.graph.geometry import Geometry, widest
-from linkwright.graph.program import ExpressionStage, NewtonStage, Program
+from linkwright.graph.program import NewtonStage, Program
 from linkwright.graph.rows import BodyPlace, CoordinateRate, Gap, Named, Row, SignalRow, Slope
 from linkwright.graph.view import View
 from linkwright.model.quantities import Quantities
@@ -25,7 +25,7 @@ from linkwright.model.signals import Signal
 from linkwright.notation import MAX_ORDER
 from linkwright.notation.jets import is_zero
 from linkwright.structure import HigherGroup, Structure
-from linkwright.symbols import Symbol, as_symbol, derivatives_along
+from linkwright.symbols import ExpressionStage, Symbol, as_symbol, derivatives_along
 
 
 @dataclass

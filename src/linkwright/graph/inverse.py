@@ -21,13 +21,13 @@ from linkwright.graph.geometry import Geometry
 from linkwright.graph.graph import Graph
 from linkwright.graph.legs import triad
 from linkwright.graph.motion import Motion, known_determinant, solve_step
-from linkwright.graph.program import ExpressionStage, Program
+from linkwright.graph.program import Program
 from linkwright.graph.rows import Radicand
 from linkwright.graph.triads import TriadSystem, place_links
 from linkwright.model.mechanism import FRAME, Drive, Joint, Link, Mechanism
 from linkwright.notation import Body, Jet, Pair, Scalar
 from linkwright.structure import Group, HigherGroup, Structure, decompose
-from linkwright.symbols import Symbol, as_symbol, derivatives_along, jacobian
+from linkwright.symbols import ExpressionStage, Symbol, as_symbol, derivatives_along, jacobian
 
 TRIADS = 1
 """With more the poses would be too many to enclose."""

@@ -65,6 +65,6 @@ class Program:
         for stage in self.solves:
             rows, n = list(stage.rows), len(stage.rows)
             for _ in range(MOST_STEPS):
-                y = np.array(stage.closure.numbers(x, p))
+                y = np.array(stage.closure.numbers(x.tolist(), p.tolist()), dtype=float)
                 x[rows] -= np.linalg.solve(y[n:].reshape(n, n), y[:n])
-        return np.array(self.block.numbers(x, p))
+        return np.array(self.block.numbers(x.tolist(), p.tolist()), dtype=float)

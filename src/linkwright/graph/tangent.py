@@ -11,9 +11,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from linkwright.graph.program import ExpressionStage, Program
+from linkwright.graph.program import Program
 from linkwright.graph.view import View
-from linkwright.symbols import Symbol, as_symbol, derivatives_along, substituted
+from linkwright.symbols import ExpressionStage, Symbol, as_symbol, derivatives_along, substituted
 from linkwright.symbols import jacobian as slopes_of
 
 if TYPE_CHECKING:

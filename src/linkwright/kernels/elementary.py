@@ -381,12 +381,12 @@ def power(x: float, y: float) -> float:
 
 
 def fmin(x: float, y: float) -> float:
-    """The smaller; where one is NaN the other, as in C, NumPy and CasADi."""
+    """The smaller; where one is NaN the other, as in C and NumPy."""
     return x if (x <= y) | (y != y) else y
 
 
 def fmax(x: float, y: float) -> float:
-    """The larger; where one is NaN the other, as in C, NumPy and CasADi."""
+    """The larger; where one is NaN the other, as in C and NumPy."""
     return x if (x >= y) | (y != y) else y
 
 

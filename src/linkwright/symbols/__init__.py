@@ -10,8 +10,8 @@ from linkwright.symbols.symbol import CONSTANT, Symbol, as_symbol, choice
 __all__ = [
     "CONSTANT",
     "INPUT",
-    "OUTPUT",
     "OPERATIONS",
+    "OUTPUT",
     "ExpressionStage",
     "Instruction",
     "Operation",

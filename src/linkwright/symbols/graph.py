@@ -9,21 +9,20 @@ from linkwright.symbols.symbol import Symbol, applied
 
 def ordered(rows: Iterable[Symbol]) -> list[Symbol]:
     """All symbols of which rows are made, and they themselves, each after its operands."""
-    found: list[Symbol] = []
-    done: set[Symbol] = set()
+    found: dict[Symbol, None] = {}
     for row in rows:
         waiting = [row]
         while waiting:
             symbol = waiting[-1]
-            missing = [arg for arg in symbol.args if arg not in done] if symbol not in done else []
-            if missing:
-                waiting += reversed(missing)
-                continue
-            waiting.pop()
-            if symbol not in done:
-                done.add(symbol)
-                found.append(symbol)
-    return found
+            # The first operand that hasn't been found comes first; without one the symbol's own turn has come.
+            for arg in symbol.args:
+                if arg not in found:
+                    waiting.append(arg)
+                    break
+            else:
+                found[symbol] = None
+                waiting.pop()
+    return list(found)
 
 
 def depend_on(rows: Iterable[Symbol], symbols: Iterable[Symbol]) -> bool:

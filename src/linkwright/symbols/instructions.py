@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -28,8 +28,10 @@ class Instruction(NamedTuple):
 
 
 class ExpressionStage:
-    """The instructions by which ``rows`` follow from the free symbols ``x`` and ``p``. Only what rows need is done, each
-    part once; a slot is used again as soon as what it holds isn't needed any more."""
+    """The instructions by which ``rows`` follow from the free symbols ``x`` (the pose's inputs) and ``p`` (parameters).
+
+    Only what rows need is done, each part once. A slot is used again as soon as what it holds isn't needed any more.
+    """
 
     def __init__(self, x: Sequence[Symbol], p: Sequence[Symbol], rows: Sequence[Any]) -> None:
         self.inputs, self.parameters, self.rows = len(x), len(p), len(rows)
@@ -39,24 +41,20 @@ class ExpressionStage:
 
     def _listed(self, sources: dict[Symbol, tuple[int, int]], rows: Sequence[Symbol]) -> Iterator[Instruction]:
         needed = ordered(rows)
-        uses = Counter(arg for symbol in needed for arg in symbol.args)
+        uses = Counter([arg for symbol in needed for arg in symbol.args])
         uses.update(rows)
         outputs: dict[Symbol, list[int]] = {}
         for i, row in enumerate(rows):
             outputs.setdefault(row, []).append(i)
         slot_of: dict[Symbol, int] = {}
         free: list[int] = []
-
-        def release(symbol: Symbol, count: int = 1) -> None:
-            uses[symbol] -= count
-            if not uses[symbol]:
-                free.append(slot_of.pop(symbol))
-
         for symbol in needed:
             args = tuple([slot_of[arg] for arg in symbol.args])
             # The slots of operands that aren't needed any more are free for the result.
             for arg in symbol.args:
-                release(arg)
+                uses[arg] -= 1
+                if not uses[arg]:
+                    free.append(slot_of[arg])
             if free:
                 slot = free.pop()
             else:
@@ -68,9 +66,12 @@ class ExpressionStage:
                 yield Instruction(INPUT, slot, sources[symbol])
             else:
                 yield Instruction(symbol.op, slot, args)
-            for row in outputs.get(symbol, ()):
-                yield Instruction(OUTPUT, row, (slot,))
-                release(symbol)
+            if symbol in outputs:
+                for place in outputs[symbol]:
+                    yield Instruction(OUTPUT, place, (slot,))
+                uses[symbol] -= len(outputs[symbol])
+                if not uses[symbol]:
+                    free.append(slot)
 
     @cached_property
     def used(self) -> tuple[frozenset[int], frozenset[int]]:
@@ -78,11 +79,11 @@ class ExpressionStage:
         read = [i.args for i in self.instructions if i.op == INPUT]
         return frozenset(row for k, row in read if k == 0), frozenset(row for k, row in read if k == 1)
 
-    def numbers(self, x: Sequence[float], p: Sequence[float]) -> list[float]:
-        """The rows of numbers."""
+    def numbers(self, x: Iterable[float], p: Iterable[float]) -> list[float]:
+        """The rows of numbers, by the operations of the table: what every emitter is held to."""
         return self._run([*map(float, x)], [*map(float, p)], lambda op: OPERATIONS[op].number)
 
-    def arrays(self, x: Sequence[Any], p: Sequence[Any]) -> Any:
+    def arrays(self, x: Any, p: Any) -> Any:
         """The rows, each over many poses, of rows of inputs: (rows, poses)."""
         with np.errstate(all="ignore"):
             rows = self._run(x, p, lambda op: OPERATIONS[op].array)

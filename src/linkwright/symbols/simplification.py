@@ -1,14 +1,18 @@
 """What is simplified as a symbol is made, operation by operation.
 
-Most rules are exact: x + 0, 1 x, -(-x), x + (-y) = x - y, x x = x^2. That 0 x, 0 / x, x - x and a factor of a value that
-isn't chosen are 0 keeps a branch that isn't taken from giving NaN. Some rules leave out a rounding: a (b x) = (a b) x
-for numbers, (x + y) - y = x, (x y) / y = x, sin^2 + cos^2 = 1.
+Most rules are exact: x + 0, 1 x, -(-x), x + (-y) = x - y, x x = x^2. That 0 x, 0 / x, x - x and a factor of a value
+that isn't chosen are 0 keeps a branch that isn't taken from giving NaN. Some rules leave out a rounding:
+a (b x) = (a b) x for numbers, (x + y) - y = x, (x y) / y = x, sin^2 + cos^2 = 1.
 """
 
 from __future__ import annotations
 
+from typing import Any
+
 from linkwright.symbols.symbol import CONSTANT, Symbol, applied, constant, simplifies
 
+Simpler = Any
+"""A symbol, or ``None`` where nothing is simpler; arithmetic of symbols has no type of its own."""
 LARGEST_PRODUCT = 100
 """Whole powers up to this one are products."""
 NEVER_NEGATIVE = ("square", "sqrt", "fabs")
@@ -24,7 +28,7 @@ def _of_same(op: str, x: Symbol, y: Symbol) -> bool:
 
 
 @simplifies("add")
-def _sum(x: Symbol, y: Symbol) -> Symbol | None:
+def _sum(x: Symbol, y: Symbol) -> Simpler:
     if _is(x, 0.0):
         return y
     if _is(y, 0.0):
@@ -44,20 +48,18 @@ def _sum(x: Symbol, y: Symbol) -> Symbol | None:
             return 3.0 * other
     if _of_same("if_else_zero", x, y):
         return x.args[0].do("if_else_zero", x.args[1] + y.args[1])
-    return _halves_or_squares(x, y)
+    return constant(1.0) if _squares_of_sine_and_cosine(x, y) else None
 
 
-def _halves_or_squares(x: Symbol, y: Symbol) -> Symbol | None:
-    """x/2 + x/2, and the squares of sine and cosine."""
+def _squares_of_sine_and_cosine(x: Symbol, y: Symbol) -> bool:
     if x.op == "square" and y.op == "square":
-        inner = {x.args[0].op, y.args[0].op}
-        if inner == {"sin", "cos"} and x.args[0].args[0] is y.args[0].args[0]:
-            return constant(1.0)
-    return None
+        a, b = x.args[0], y.args[0]
+        return {a.op, b.op} == {"sin", "cos"} and a.args[0] is b.args[0]
+    return False
 
 
 @simplifies("subtract")
-def _difference(x: Symbol, y: Symbol) -> Symbol | None:
+def _difference(x: Symbol, y: Symbol) -> Simpler:
     if _is(y, 0.0):
         return x
     if _is(x, 0.0):
@@ -78,18 +80,22 @@ def _difference(x: Symbol, y: Symbol) -> Symbol | None:
 
 
 @simplifies("negative")
-def _opposite(x: Symbol) -> Symbol | None:
+def _opposite(x: Symbol) -> Simpler:
     return x.args[0] if x.op == "negative" else None
 
 
 @simplifies("multiply")
-def _product(x: Symbol, y: Symbol) -> Symbol | None:
+def _product(x: Symbol, y: Symbol) -> Simpler:
     if x is y:
         return applied("square", x)
     if y.op is CONSTANT:  # numbers come first
         return applied("multiply", y, x)
     if x.op is CONSTANT:
         return _multiple(x, y)
+    if x.op == "if_else_zero":
+        return x.args[0].do("if_else_zero", x.args[1] * y)
+    if y.op == "if_else_zero":
+        return y.args[0].do("if_else_zero", x * y.args[1])
     if x.op == "negative":
         return -(x.args[0] * y)
     if y.op == "negative":
@@ -102,14 +108,10 @@ def _product(x: Symbol, y: Symbol) -> Symbol | None:
         return y.args[0]
     if x.op == "divide" and x.args[1] is y:
         return x.args[0]
-    if x.op == "if_else_zero":
-        return x.args[0].do("if_else_zero", x.args[1] * y)
-    if y.op == "if_else_zero":
-        return y.args[0].do("if_else_zero", x * y.args[1])
     return None
 
 
-def _multiple(number: Symbol, y: Symbol) -> Symbol | None:
+def _multiple(number: Symbol, y: Symbol) -> Simpler:
     """A number times a symbol."""
     k = number.value
     if k == 0:
@@ -130,7 +132,7 @@ def _multiple(number: Symbol, y: Symbol) -> Symbol | None:
 
 
 @simplifies("divide")
-def _quotient(x: Symbol, y: Symbol) -> Symbol | None:
+def _quotient(x: Symbol, y: Symbol) -> Simpler:
     if _is(x, 0.0):
         return constant(0.0)
     if y.op is CONSTANT and y.value in (1, -1):
@@ -155,31 +157,31 @@ def _quotient(x: Symbol, y: Symbol) -> Symbol | None:
 
 
 @simplifies("reciprocal")
-def _reciprocal(x: Symbol) -> Symbol | None:
+def _reciprocal(x: Symbol) -> Simpler:
     return x.args[0] if x.op == "reciprocal" else None
 
 
 @simplifies("twice")
-def _double(x: Symbol) -> Symbol | None:
+def _double(x: Symbol) -> Simpler:
     return -(applied("twice", x.args[0])) if x.op == "negative" else None
 
 
 @simplifies("square")
-def _square(x: Symbol) -> Symbol | None:
+def _square(x: Symbol) -> Simpler:
     if x.op == "sqrt":
         return x.args[0]
     return applied("square", x.args[0]) if x.op in ("negative", "fabs") else None
 
 
 @simplifies("power")
-def _power(x: Symbol, y: Symbol) -> Symbol | None:
+def _power(x: Symbol, y: Symbol) -> Simpler:
     """Whole powers as products of squares."""
     if y.op is not CONSTANT:
         return None
     power = y.value
     if power == 0.5:
         return applied("sqrt", x)
-    if power != int(power) if abs(power) <= LARGEST_PRODUCT else True:
+    if not abs(power) <= LARGEST_PRODUCT or power != int(power):
         return None
     if power < 0:
         return 1.0 / x**-power
@@ -187,61 +189,55 @@ def _power(x: Symbol, y: Symbol) -> Symbol | None:
         return x if power else constant(1.0)
     if power % 2:
         return x * x ** (power - 1.0)
-    half: Symbol = x ** (power / 2.0)
-    return applied("square", half)
+    return applied("square", x ** (power / 2.0))
 
 
 @simplifies("sqrt")
-def _root(x: Symbol) -> Symbol | None:
+def _root(x: Symbol) -> Simpler:
     return applied("fabs", x.args[0]) if x.op == "square" else None
 
 
 @simplifies("fabs")
-def _magnitude(x: Symbol) -> Symbol | None:
+def _magnitude(x: Symbol) -> Simpler:
     if x.op in NEVER_NEGATIVE:
         return x
     return applied("fabs", x.args[0]) if x.op == "negative" else None
 
 
 @simplifies("cos")
-def _cosine(x: Symbol) -> Symbol | None:
+def _cosine(x: Symbol) -> Simpler:
     return applied("cos", x.args[0]) if x.op == "negative" else None
 
 
 @simplifies("log")
-def _logarithm(x: Symbol) -> Symbol | None:
+def _logarithm(x: Symbol) -> Simpler:
     return x.args[0] if x.op == "exp" else None
 
 
 @simplifies("fmin", "fmax")
-def _same(x: Symbol, y: Symbol) -> Symbol | None:
+def _same(x: Symbol, y: Symbol) -> Simpler:
     return x if x is y else None
 
 
 @simplifies("less")
-def _less(x: Symbol, y: Symbol) -> Symbol | None:
+def _less(x: Symbol, y: Symbol) -> Simpler:
     never = x is y or (x.op in NEVER_NEGATIVE and y.op is CONSTANT and y.value <= 0)
     return constant(0.0) if never else None
 
 
 @simplifies("less_equal")
-def _less_equal(x: Symbol, y: Symbol) -> Symbol | None:
+def _less_equal(x: Symbol, y: Symbol) -> Simpler:
     always = x is y or (y.op in NEVER_NEGATIVE and x.op is CONSTANT and x.value <= 0)
     return constant(1.0) if always else None
 
 
-@simplifies("equal", "not_equal")
-def _equality(x: Symbol, y: Symbol) -> Symbol | None:
-    return None
-
-
 @simplifies("logical_and")
-def _both(x: Symbol, y: Symbol) -> Symbol | None:
+def _both(x: Symbol, y: Symbol) -> Simpler:
     return constant(0.0) if _is(x, 0.0) or _is(y, 0.0) else None
 
 
 @simplifies("if_else_zero")
-def _chosen(x: Symbol, y: Symbol) -> Symbol | None:
+def _chosen(x: Symbol, y: Symbol) -> Simpler:
     if x.op is CONSTANT:
         return y if x.value != 0 else constant(0.0)
     return constant(0.0) if _is(y, 0.0) else None

@@ -24,7 +24,8 @@ SIMPLIFICATIONS: dict[str, Rule] = {}
 
 
 class Symbol:
-    """A scalar: ``op`` of the symbols ``args``; a constant, whose number is its ``value``; or free, with a name there."""
+    """A scalar: the result of an operation ``op`` of ``args``; or a constant, which has its number as ``value``; or a
+    free one, which has its name there."""
 
     __slots__ = ("__weakref__", "args", "op", "value")
     __array_ufunc__ = None  # NumPy's numbers leave mixed arithmetic to symbols
@@ -154,11 +155,11 @@ _operand = as_symbol
 
 def _of_two(op: str, x: Any, y: Any) -> Any:
     """An operation of a symbol and something else, to which it gives way where that is neither symbol nor number."""
-    if not isinstance(y, Symbol):
+    if type(y) is not Symbol:
         if not isinstance(y, _NUMBERS):
             return NotImplemented
         y = constant(float(y))
-    elif not isinstance(x, Symbol):
+    elif type(x) is not Symbol:
         if not isinstance(x, _NUMBERS):
             return NotImplemented
         x = constant(float(x))
@@ -174,7 +175,7 @@ def choice(condition: Any, value: Any, other: Any) -> Symbol:
 
 def applied(op: str, *args: Symbol) -> Symbol:
     """An operation of symbols, as simple as may be."""
-    if all(arg.op is CONSTANT for arg in args):
+    if args[0].op is CONSTANT and (len(args) == 1 or args[1].op is CONSTANT):
         return constant(OPERATIONS[op].number(*(arg.value for arg in args)))
     rule = SIMPLIFICATIONS.get(op)
     if rule is not None:
@@ -184,22 +185,24 @@ def applied(op: str, *args: Symbol) -> Symbol:
     return _made(op, args)
 
 
-# Each is made once: the table holds them by what they are made of, and lets go of one that nobody else holds.
+# Each is made once: a table by operation holds symbols by their operands, and lets go of one that nobody else holds.
 
 
 class _Held(weakref.ref[Symbol]):
-    """Its place in the table."""
+    """A symbol's place in the tables."""
 
-    __slots__ = ("key",)
-    key: tuple[Any, ...]
+    __slots__ = ("args", "op")
+    op: str
+    args: tuple[Any, ...]
 
 
-_TABLE: dict[tuple[Any, ...], _Held] = {}
+_TABLES: dict[str, dict[tuple[Any, ...], _Held]] = {op: {} for op in (CONSTANT, *OPERATIONS)}
 
 
 def _forget(held: Any) -> None:
-    if _TABLE.get(held.key) is held:
-        del _TABLE[held.key]
+    table = _TABLES[held.op]
+    if table.get(held.args) is held:
+        del table[held.args]
 
 
 def _new(op: str, args: tuple[Symbol, ...], value: Any) -> Symbol:
@@ -208,34 +211,26 @@ def _new(op: str, args: tuple[Symbol, ...], value: Any) -> Symbol:
     return made
 
 
-def _made(op: str, args: tuple[Symbol, ...]) -> Symbol:
-    """The symbol of an operation, as it stands."""
-    key = (op, *args)
-    held = _TABLE.get(key)
-    if held is not None:
-        made = held()
-        if made is not None:
-            return made
-    if op not in OPERATIONS:
+def _made(op: str, args: tuple[Symbol, ...], value: float | None = None, key: tuple[Any, ...] = ()) -> Symbol:
+    """The symbol of an operation as it stands, or by ``key`` that of a number."""
+    key = key or args
+    table = _TABLES.get(op)
+    if table is None:
         raise NotImplementedError(f"symbols have no operation {op}")
-    made = _new(op, args, None)
+    held = table.get(key)
+    if held is not None:
+        known = held()
+        if known is not None:
+            return known
+    made = _new(op, args, value)
     held = _Held(made, _forget)
-    held.key, _TABLE[key] = key, held
+    held.op, held.args, table[key] = op, key, held
     return made
 
 
 def constant(number: float) -> Symbol:
     """A number as a symbol; 0 and -0 are two."""
-    key = (CONSTANT, number, copysign(1.0, number))
-    held = _TABLE.get(key)
-    if held is not None:
-        made = held()
-        if made is not None:
-            return made
-    made = _new(CONSTANT, (), number)
-    held = _Held(made, _forget)
-    held.key, _TABLE[key] = key, held
-    return made
+    return _made(CONSTANT, (), number, (number, copysign(1.0, number)))
 
 
 def simplifies(*ops: str) -> Callable[[Rule], Rule]:
