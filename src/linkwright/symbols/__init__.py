@@ -1,5 +1,6 @@
 """The expression graph: scalars that remember how they were made. See docs/theory.md, "Symbols"."""
 
+from linkwright.symbols import simplification as _simplification  # noqa: F401  (it enters its rules)
 from linkwright.symbols.derivatives import derivatives_along, jacobian
 from linkwright.symbols.graph import depend_on, ordered, substituted
 from linkwright.symbols.instructions import INPUT, OUTPUT, ExpressionStage, Instruction

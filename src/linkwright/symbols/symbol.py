@@ -247,5 +247,3 @@ def symbols_of(values: Iterable[Any]) -> list[Symbol]:
     """Numbers and symbols as symbols."""
     return [as_symbol(value) for value in values]
 
-
-import linkwright.symbols.simplification  # noqa: E402, F401  (it enters its rules)
