@@ -170,7 +170,7 @@ def choice(condition: Any, value: Any, other: Any) -> Symbol:
     """A value where a condition holds, another one elsewhere: a sum of both, of which one is 0. What isn't chosen may
     be NaN."""
     holds = as_symbol(condition)
-    return holds.do("if_else_zero", value) + holds.do("logical_not").do("if_else_zero", other)
+    return applied("add", holds.do("if_else_zero", value), holds.do("logical_not").do("if_else_zero", other))
 
 
 def applied(op: str, *args: Symbol) -> Symbol:
@@ -201,8 +201,9 @@ _TABLES: dict[str, dict[tuple[Any, ...], _Held]] = {op: {} for op in (CONSTANT, 
 
 def _forget(held: Any) -> None:
     table = _TABLES[held.op]
-    if table.get(held.args) is held:
-        del table[held.args]
+    args: tuple[Any, ...] = held.args
+    if table.get(args) is held:
+        del table[args]
 
 
 def _new(op: str, args: tuple[Symbol, ...], value: Any) -> Symbol:
@@ -246,4 +247,3 @@ def simplifies(*ops: str) -> Callable[[Rule], Rule]:
 def symbols_of(values: Iterable[Any]) -> list[Symbol]:
     """Numbers and symbols as symbols."""
     return [as_symbol(value) for value in values]
-
