@@ -182,7 +182,7 @@ INPUTS = [
     ("speed", "speed: 60 rpm", "speed: 每分钟60转", "60 rpm"),
     ("speed", "speed: 60 rpm", "speed: 60 圈/分", "60 rpm"),
     ("speed", "speed: 60 rpm", "speed: 1 转/秒", "1 r/s"),
-    ("half", "speed: 60 rpm", "speed: 60 转／分", "60 rpm"),
+    ("wide", "speed: 60 rpm", "speed: 60 转／分", "60 rpm"),
     ("sense", "speed: 60 rpm", "speed: 60 rpm 顺时针", "-60 rpm"),
     ("half", "speed: 60 rpm", "speed: 60 rpm（逆时针）", "60 rpm"),
     ("unit", "turns: 1 电机", "duration: 1 秒", "1 s"),

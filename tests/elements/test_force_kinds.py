@@ -82,7 +82,11 @@ T = np.linspace(0.05, 1.9, 41)
 
 def file(name: str, which: int) -> dict[str, Any]:
     """The mechanism with one element."""
-    loaded = {"loads": {"push": {"on": "coupler", "at": "E", "force": [3, -7]}}} if FORCES[name].resists else {}
+    loaded = (
+        {"loads": {"push": {"on": "coupler", "at": "E", "force": [3, -7]}, "twist": {"on": "block", "torque": 4}}}
+        if FORCES[name].resists
+        else {}
+    )
     return {**copy.deepcopy(MODEL), **loaded, FORCES[name].section: {"own": CASES[name][which]}}
 
 

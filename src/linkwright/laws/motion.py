@@ -82,7 +82,7 @@ class Motion:
         """The same at a symbol."""
         if self.beyond == "hold":
             found = self.curve.at(_clamped(x, self.period), order)
-            return found if order == 0 else call("where", call("logic_and", x >= 0, x <= self.period), found, 0.0)
+            return found if order == 0 else call("where", call("logical_and", x >= 0, x <= self.period), found, 0.0)
         whole = call("floor", x / self.period)
         found = self.curve.at(_clamped(x - whole * self.period, self.period), order)
         return found + whole * self.advance if self.beyond == "advance" and order == 0 else found

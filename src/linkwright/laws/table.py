@@ -106,7 +106,7 @@ class TableLaw:
             within = x - call("floor", (x - first) / self.period) * self.period
         else:
             slack = 1e-12 * (last - first)
-            inside = call("logic_and", x >= first - slack, x <= last + slack)
+            inside = call("logical_and", x >= first - slack, x <= last + slack)
             within = call("where", inside, call("fmin", call("fmax", x, first), last), np.nan)
         knots, powers = self.powers()
         pieces = []

@@ -93,7 +93,8 @@ def _finding(fault: Any, raw: Any, owner: Any) -> Finding:
     elsewhere = kind == "extra_forbidden" and path and not _is_key(path, raw, owner)
     named = absent(path[-1], fault["input"]) if elsewhere else None
     section = _inside(path)[:1]
-    if named and section == tuple(named[0].split(".")[1:]):  # what it belongs under is where it stands
+    within = len(_inside(path)) > 1
+    if named and within and section == tuple(named[0].split(".")[1:]):  # what it belongs under is where it stands
         named = None
     if kind in _WANTED and section == ("joints",):
         named = absent("type", fault["input"])
