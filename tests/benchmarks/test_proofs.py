@@ -10,7 +10,7 @@ import pytest
 from helpers.longer import mostly_long
 
 EXAMPLES = sorted(proofs.EXAMPLES.glob("*.yaml"))
-FRICTION = ("lifting_crank", "scotch_yoke_friction", "slider_crank_friction", "wedge_lift")
+FRICTION = ("lifting_crank", "scotch_yoke_friction", "slider_crank_friction")
 SPECIAL = ("class_four", "parallelogram", "rolling_wheel", FRICTION[1])
 
 

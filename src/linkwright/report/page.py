@@ -18,7 +18,7 @@ from linkwright.report.html_blocks import section
 from linkwright.report.mechanism_drawing import drawing
 from linkwright.report.packed import packed, packed_live, without_series, without_values
 from linkwright.report.signal_list import KINDS
-from linkwright.words import known, say
+from linkwright.words import say
 
 LIVE_WORDS = (
     "back",
@@ -115,6 +115,23 @@ SCRIPT_WORDS = (
 """The keys that the page's scripts read."""
 STUDY_WORDS = tuple(f"report.plots.{key}" for key in ("contour", "family", "reset_zoom"))
 """The same of a page with charts of studies."""
+ALSO_CALLED = tuple(
+    f"plot.{kind}"
+    for kind in [
+        "acceleration",
+        "alpha",
+        "angle",
+        "effort",
+        "force",
+        "moment",
+        "omega",
+        "position",
+        "slide",
+        "torque",
+        "velocity",
+    ]
+)
+"""The titles of plots of which there are other words, by which their signals are looked for."""
 
 
 def page(data: ReportData) -> str:
@@ -203,8 +220,9 @@ def _names(numbers: Sequence[LiveNumber]) -> list[str]:
 
 def _also(title: Text) -> str:
     """Other words by which the signals of a plot are looked for."""
-    key = title.key.replace("plot.", "plot.also.", 1) if isinstance(title, Said) else ""
-    return say(key) if key and known(key) else ""
+    if not isinstance(title, Said) or title.key not in ALSO_CALLED:
+        return ""
+    return say(title.key.replace("plot.", "plot.also.", 1))
 
 
 def _label(title: Text) -> Text:

@@ -18,7 +18,16 @@ from types import ModuleType
 from typing import Any
 
 LANGUAGES = ("en", "zh")
-USUAL = ("language", "click", "texts", "report", "findings.expressions", "findings.motion", "findings.terms")
+USUAL = (
+    "language",
+    "click",
+    "texts",
+    "report",
+    "number_names",
+    "findings.expressions",
+    "findings.motion",
+    "findings.terms",
+)
 """The modules with what nearly every command says; the others are imported where another text is asked for."""
 _LANGUAGE = ContextVar("language", default=LANGUAGES[0])
 
