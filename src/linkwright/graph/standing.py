@@ -28,7 +28,7 @@ CLOSED = 1e-10
 """Joints that miss by less than this share of the size are closed."""
 SAME = 1e-6
 """Poses that differ by less than this (rad, or over the size) are the same."""
-ALL_AT_ONCE = ("assembly.no-sketch", "assembly.not-found")
+ALL_AT_ONCE = ("assembly.no-sketch", "assembly.not-found", "assembly.singular-start")
 """Groups that aren't placed alone may be placed with all others."""
 STARTS, STEPS = 60, 60
 """Starts all round where nothing is sketched; the most steps from each."""
