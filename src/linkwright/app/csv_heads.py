@@ -3,10 +3,9 @@ they are."""
 
 from __future__ import annotations
 
-import csv
-import io
 import re
 
+from linkwright.model.csv_text import with_heads
 from linkwright.words import known, say
 
 PROGRAMS = "en"
@@ -17,11 +16,7 @@ _HEAD = re.compile(r"(.*?)( \[[^\[\]]*\])?")
 def worded(name: str, text: str) -> str:
     """The text of a CSV file with its heads in words: those of the file's own columns, and what follows the name of a
     signal or a measure in others. Names of the model stay."""
-    first, end, rest = text.partition("\n")
-    heads = [_word(head, name.removesuffix(".csv")) for head in next(csv.reader([first]), [])]
-    made = io.StringIO()
-    csv.writer(made, lineterminator="").writerow(heads)
-    return f"{made.getvalue()}{end}{rest}"
+    return with_heads(text, lambda head: _word(head, name.removesuffix(".csv")))
 
 
 def _word(head: str, stem: str) -> str:

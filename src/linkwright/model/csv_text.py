@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from math import isfinite
 from typing import Any
 
@@ -45,6 +45,13 @@ def numbers_text(header: list[str], columns: Iterable[NDArray[Any]]) -> str:
 def table_text(header: list[str], rows: Iterable[list[str]]) -> str:
     """The whole table; no cell but a number begins as a formula does."""
     return _written(header, (map(escape.cell, row) for row in rows))
+
+
+def with_heads(text: str, renamed: Callable[[str], str]) -> str:
+    """The text of a table with other heads."""
+    first, _, rest = text.partition("\n")
+    heads = next(csv.reader([first]), [])
+    return _written([renamed(head) for head in heads], ()) + rest
 
 
 def _written(header: list[str], rows: Iterable[Iterable[Any]]) -> str:
