@@ -9,9 +9,9 @@ import pytest
 
 import linkwright as lw
 from linkwright.expressions import units as u
+from linkwright.studies.accuracy import convex_minimum
 from linkwright.studies.accuracy.allocation_options import Output, allocated, problem
 from linkwright.studies.accuracy.allocation_problem import Problem
-from linkwright.studies.accuracy.allocation_solver import SETTINGS
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.stated_contributors import contributors
 from studies.models import four_bar
@@ -111,7 +111,7 @@ def test_what_cannot_be_had_is_said() -> None:
 
 
 def test_an_optimum_without_its_proof_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(SETTINGS, "ipopt.max_iter", 1)
+    monkeypatch.setattr(convex_minimum, "MOST_STEPS", 1)
     found, _ = posed(targets={"P.x": 0.05}, costs={name: {"reciprocal": 1} for name in LENGTHS})
     assert found is not None
     assert [note.code for note in allocated(found)[1]][-1] == "accuracy.not-optimal"
