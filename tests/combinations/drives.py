@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from combinations.mechanisms import Mechanism
+from combinations.mechanisms import Mechanism, add_to_frame
 from combinations.motions import Faults, column, differences, named, reference, same_power, swing, swinging
 from combinations.performing import Data, run
 from linkwright.app.job import examine_document
@@ -102,7 +102,7 @@ def extended(mechanism: Mechanism) -> Data:
     """A cylinder between the frame and the crank's pin is driven."""
     q = swing(mechanism)
     data = swinging(mechanism, extends="ram", position=f"hypot(r*cos{q} + 140 mm, r*sin{q} + 50 mm)")
-    data["links"]["frame"]["points"]["S0"] = [-140, -50]
+    add_to_frame(data, "S0", [-140, -50])
     data["cylinders"] = {**data.get("cylinders", {}), "ram": {"from": "S0", "to": "B"}}
     return data
 

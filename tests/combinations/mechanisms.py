@@ -62,6 +62,16 @@ class Mechanism:
         return self.signal.partition(".")[0]
 
 
+def add_to_frame(data: Data, point: str, place: list[float]) -> None:
+    """Add a point of the frame, or of the sketch where there is one."""
+    points = data["links"]["frame"]["points"]
+    if isinstance(points, list):
+        points.append(point)
+        data["sketch"][point] = place
+    else:
+        points[point] = place
+
+
 def _read(text: str) -> Data:
     data: Data = YAML(typ="safe").load(text) or {}
     return data
@@ -365,6 +375,90 @@ links:
   rocker: {points: {D: [0, 0], E: [98, 0]}, mass: 0.6, shape: rod D-E}
   strut:  {points: {F: [0, 0], G: [108, 0]}, mass: 0.3, shape: rod F-G}
 assembly: {C: [133, 70], E: [216, 14], G: [141, -8]}
+""",
+    ),
+    "cam with flat face": Mechanism(
+        ("cam",),
+        TAPPET,
+        """
+cams:
+  lifting: {cam: crank, follower: tappet, on: frame, base: 60,
+            face: C at 0 deg, law: lift, sense: counter-clockwise}
+""",
+        signal="guide.s",
+    ),
+    "conjugate cams": Mechanism(
+        ("cam",),
+        CAM,
+        """
+cams:
+  lifting: {cam: crank, follower: lever, on: frame, base: 40,
+            roller: 12, at: C, law: lift, side: left of A-Q, sense: counter-clockwise,
+            closed: conjugate, second: {at: K}}
+""",
+        signal="lever.angle",
+    ),
+    "cam with yoke": Mechanism(
+        ("cam",),
+        TAPPET.replace("G: [4, 0]", "G: [0, 0]"),
+        """
+cams:
+  lifting: {cam: crank, follower: tappet, on: frame, base: 60,
+            face: C at 0 deg, law: lift, closed: yoke, sense: counter-clockwise}
+""",
+        signal="guide.s",
+    ),
+    "load along a slide": Mechanism(
+        ("load",),
+        SLIDER_CRANK,
+        "loads: {press: {on: slider, at: C, along: guide, force: -50 - 3 N*s/m*guide.v}}",
+        "guide.s",
+    ),
+    "load in a window": Mechanism(
+        ("load",),
+        FOUR_BAR,
+        "windows: {early: {motor.angle: [70 deg, 100 deg]}}\n"
+        "loads: {cut: {on: rocker, at: C, force: [0, -20], window: early}}",
+    ),
+    "load by a table": Mechanism(
+        ("load",),
+        FOUR_BAR,
+        "tables: {curve: {points: [[0, 0], [120, 40], [360, 0]], period: 360, between: linear}}\n"
+        "loads: {cut: {on: rocker, at: C, force: [0, -curve(motor.angle)]}}",
+    ),
+    "gas spring": Mechanism(
+        ("spring",), FOUR_BAR, "springs: {lift: {from: D, to: B, gas: 100 N, progression: 1.3, length: [60, 140]}}"
+    ),
+    "spring by a table": Mechanism(
+        ("spring",),
+        FOUR_BAR,
+        "tables: {curve: {points: [[50, 0], [80, 30], [110, 50], [150, 120]]}}\n"
+        "springs: {wire: {from: D, to: B, force: curve}}",
+    ),
+    "friction in a contact": Mechanism(
+        ("friction",),
+        """
+parameters: {r: {value: 30, tolerance: 0.05}}
+links:
+  frame: {points: {A: [0, 0], Q: [-80, 0]}}
+  crank: {points: {A: [0, 0], B: [r, 0]}, mass: 0.5, shape: rod A-B}
+  lever: {points: {Q: [0, 0], T: [140, 0]}, mass: 1, shape: rod Q-T}
+joints: {slot: {pin_in_slot: [crank, lever], pin: B, straight: Q at 0 deg}}
+friction: {rub: {contact: slot, coefficient: 0.1}}
+assembly: {T: [40, 40]}
+""",
+        signal="lever.angle",
+    ),
+    "sketch": Mechanism(
+        (),
+        """
+sketch: {A: [0, 0], B: [15, 26], C: [90, 75], D: [100, 0]}
+parameters: {r: {value: 30, tolerance: 0.05}}
+links:
+  frame:   {points: [A, D]}
+  crank:   {points: {A: [0, 0], B: [r, 0]}, mass: 0.5, shape: rod A-B}
+  coupler: {points: [B, C], mass: 0.8, shape: rod B-C}
+  rocker:  {points: [D, C], mass: 0.6, shape: rod D-C}
 """,
     ),
 }

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from combinations.mechanisms import Mechanism
+from combinations.mechanisms import Mechanism, add_to_frame
 from combinations.motions import CLOSE, SAMPLES, Faults, column, start_of, swinging, turning
 from combinations.performing import run
 
@@ -101,9 +101,10 @@ def _reactions(mechanism: Mechanism) -> Faults:
     data = mechanism.data
     x, y = start_of(mechanism)
     data["parameters"]["hold_length"] = f"hypot({x} + 50, {y} - 40)"
-    data["links"]["frame"]["points"]["S0"] = [-50, 40]
+    add_to_frame(data, "S0", [-50, 40])
     data["links"]["holder"] = {"points": {"S0": [0, 0], "B": ["hold_length", 0]}}
-    data.setdefault("assembly", {})["B"] = [x, y]
+    if "sketch" not in data:  # lengths follow from its points
+        data.setdefault("assembly", {})["B"] = [x, y]
     data["studies"] = {"reactions": {}}
     outcome = run(data, files=True).outcomes["reactions"]
     (force,) = (bar.force for bar in outcome.bars if bar.link == "holder")
