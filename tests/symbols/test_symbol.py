@@ -10,7 +10,16 @@ import numpy as np
 import pytest
 
 from linkwright.notation import Jet
-from linkwright.symbols import ExpressionStage, Symbol, as_symbol, choice, derivatives_along, ordered, symbol
+from linkwright.symbols import (
+    ExpressionStage,
+    Symbol,
+    as_symbol,
+    choice,
+    derivatives_along,
+    ordered,
+    symbol,
+    without_collection,
+)
 
 x, y, z = Symbol.several("x", 3)
 HOLDS = x < y
@@ -110,3 +119,15 @@ def test_graphs_may_be_deep() -> None:
     stage = ExpressionStage([x, y], [], [deep, slope])
     assert all(map(math.isfinite, stage.numbers([0.5, 0.9], [])))
     del deep, slope
+
+
+def test_collection_is_paused_and_goes_on() -> None:
+    """Whatever happens meanwhile; and where it was off it stays so."""
+    assert gc.isenabled()
+    with pytest.raises(KeyError), without_collection():
+        assert not gc.isenabled()
+        with without_collection():
+            pass
+        assert not gc.isenabled()
+        raise KeyError
+    assert gc.isenabled()

@@ -25,7 +25,7 @@ from linkwright.model.signals import Signal
 from linkwright.notation import MAX_ORDER
 from linkwright.notation.jets import is_zero
 from linkwright.structure import HigherGroup, Structure
-from linkwright.symbols import ExpressionStage, Symbol, as_symbol, derivatives_along
+from linkwright.symbols import ExpressionStage, Symbol, as_symbol, derivatives_along, without_collection
 
 
 @dataclass
@@ -157,6 +157,7 @@ class Graph:
             self._programs[key] = self._build(*key)
         return self._programs[key]
 
+    @without_collection()
     def with_rates(self, named: Sequence[Named], rated: Sequence[Named]) -> Program:
         """The program of some rows, then of others each of which is followed by its time derivative; all share what
         they have in common."""
@@ -196,6 +197,7 @@ class Graph:
                 used |= kept[0].closure.used[0]
         return tuple(kept)
 
+    @without_collection()
     def _build(self, named: tuple[Named, ...], rates: bool, solve: bool) -> Program:
         order, names = self.order(named), self.labels(named)
         view = self._view(max(order, 1) if rates and self.structure.higher_groups else order)

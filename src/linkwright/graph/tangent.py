@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from linkwright.graph.program import Program
 from linkwright.graph.view import View
-from linkwright.symbols import ExpressionStage, Symbol, as_symbol, derivatives_along, substituted
+from linkwright.symbols import ExpressionStage, Symbol, as_symbol, derivatives_along, substituted, without_collection
 from linkwright.symbols import jacobian as slopes_of
 
 if TYPE_CHECKING:
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from linkwright.graph.rows import Named
 
 
+@without_collection()
 def tangent(graph: Graph, named: Sequence[Named], rates: bool = False, plays: Sequence[str] = ()) -> Program:
     """The program of some rows with their derivatives along a direction.
 
@@ -63,6 +64,7 @@ def _without_plays(rows: Sequence[Symbol], view: View) -> list[Symbol]:
     return substituted(rows, dict.fromkeys(view.plays, as_symbol(0.0))) if view.plays else [*rows]
 
 
+@without_collection()
 def jacobian(
     graph: Graph, named: Sequence[Named], by: Sequence[str], others: Sequence[Named] = (), plays: Sequence[str] = ()
 ) -> Program:

@@ -1,6 +1,7 @@
 """The expression graph: scalars that remember how they were made. See docs/theory.md, "Symbols"."""
 
 from linkwright.symbols import simplification as _simplification  # noqa: F401  (it enters its rules)
+from linkwright.symbols.collection import without_collection
 from linkwright.symbols.derivatives import derivatives_along, jacobian
 from linkwright.symbols.graph import depend_on, ordered, substituted
 from linkwright.symbols.instructions import INPUT, OUTPUT, ExpressionStage, Instruction
@@ -25,4 +26,5 @@ __all__ = [
     "jacobian",
     "ordered",
     "substituted",
+    "without_collection",
 ]
