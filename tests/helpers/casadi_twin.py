@@ -9,7 +9,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from linkwright.symbols import CONSTANT, ExpressionStage, Symbol, ordered
+from linkwright.symbols import CONSTANT, Symbol, ordered
 
 CODES = {
     "negative": ca.OP_NEG,
@@ -85,20 +85,3 @@ def _done(code: int, args: Sequence[Any]) -> Any:
 def numbers(function: Any, values: Any) -> np.ndarray:
     """What a function of CasADi gives for a column of numbers."""
     return np.asarray(function(values)).ravel()
-
-
-def evaluated(stage: ExpressionStage, x: Any, p: Any) -> np.ndarray:
-    """A block's rows by CasADi's virtual machine, from its instructions."""
-    free = ca.SX.sym("x", stage.inputs), ca.SX.sym("p", stage.parameters)
-    holds: list[Any] = [None] * stage.slots
-    rows: list[Any] = [None] * stage.rows
-    for op, out, args, value in stage.instructions:
-        if op == CONSTANT:
-            holds[out] = ca.SX(value)
-        elif op == "input":
-            holds[out] = free[args[0]][args[1]]
-        elif op == "output":
-            rows[out] = holds[args[0]]
-        else:
-            holds[out] = _done(CODES[op], [holds[slot] for slot in args])
-    return numbers(lambda _: ca.Function("block", [*free], [ca.vertcat(*rows)])(x, p), None)

@@ -6,12 +6,16 @@ import math
 from pathlib import Path
 from typing import Any
 
+import casadi as ca
 import numpy as np
 import pytest
 
-from helpers.casadi_twin import CODES, Twin, evaluated, numbers
+import linkwright as lw
+from helpers.casadi_twin import CODES, Twin, numbers
+from helpers.longer import mostly_long
 from helpers.programs import random_rows
 from linkwright.compilation import compile_mechanism
+from linkwright.graph.view import View
 from linkwright.kernels import Compiled
 from linkwright.model.document import load
 from linkwright.symbols import (
@@ -25,7 +29,8 @@ from linkwright.symbols import (
     ordered,
 )
 
-EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.yaml"))
+ROOT = Path(__file__).parents[2]
+FILES = [*sorted((ROOT / "examples").glob("*.yaml")), *sorted((ROOT / "src/linkwright/gallery").glob("*.yaml"))]
 SEEDS = range(60)
 CLOSE = 1e-9
 """Over the largest of a row's values: rows of random expressions lose digits where they cancel."""
@@ -80,25 +85,41 @@ def test_random_expressions(seed: int) -> None:
     np.testing.assert_allclose(np.array(found)[both] / size, known[both] / size, rtol=0.0, atol=CLOSE)
 
 
-@pytest.fixture(params=EXAMPLES, ids=lambda path: path.stem, scope="module")
-def compiled(request: pytest.FixtureRequest) -> Compiled:
-    document = load(request.param)
+def compiled_or_skipped(path: Path) -> Compiled:
     try:
-        return compile_mechanism(document)
-    except Exception as error:  # a structure, or a file without a mechanism that moves
+        return compile_mechanism(load(path))
+    except lw.ModelError as error:  # a structure has no motion
         pytest.skip(str(error)[:60])
 
 
-def test_mechanisms(compiled: Compiled) -> None:
-    """All signals of a mechanism with their rates: the program's values by CasADi's machine, the rates by its
-    derivatives, and not many more instructions than its own graph has."""
+@pytest.mark.parametrize("path", mostly_long(FILES, FILES[::4].__contains__), ids=lambda path: path.stem)
+def test_mechanisms(path: Path) -> None:
+    """All signals of a mechanism: their values by CasADi's virtual machine; their rates, and their slopes along a
+    direction of the parameters, by its derivatives; and hardly more instructions than its own list of them has."""
+    compiled = compiled_or_skipped(path)
     graph = compiled.graph
     names = [signal.text for signal in compiled.quantities.signals.all() if signal.attribute != "arm"]
-    program = graph.program(names, rates=True)
-    t = np.array([0.0123])
-    x, p = compiled.inputs(t)[:, 0], compiled.parameters
-    found = np.array(program.block.numbers(x, p))
-    np.testing.assert_allclose(found, evaluated(program.block, x, p), rtol=1e-12, atol=1e-12, equal_nan=True)
+    view = View.build(graph, max(1, graph.order(names)), graph.inputs)
+    rows, flow = [as_symbol(view.row(name)) for name in names], graph.flow(view)
+    x, p = compiled.inputs(np.array([0.0123]))[:, 0], compiled.parameters
+    free, at = [*view.x, *view.p], [*x, *p]
+    directions = np.random.default_rng(3).uniform(-1, 1, p.size)
+    along = dict(zip(view.p, map(as_symbol, directions.tolist()), strict=True))
+    twin = Twin(free, [*rows, *flow.values()])
+    values = twin.rows[: len(rows)]
+    in_time = ca.jtimes(values, twin.free[: len(view.x)], twin.rows[len(rows) :])
+    by_parameters = ca.jtimes(values, twin.free[len(view.x) :], ca.DM(directions)) if p.size else ca.DM([])
+    rates, slopes = derivatives_along(rows, flow), derivatives_along(rows, along) if p.size else []
+    for own, other in ((rows, values), (rates, in_time), (slopes, by_parameters)):
+        if not own:
+            continue
+        stage = ExpressionStage(free, [], own)
+        found, known = np.array(stage.numbers(at, [])), numbers(twin.function(other), at)
+        both = np.isfinite(found) & np.isfinite(known)  # CasADi makes constants of 0/0 and x/0
+        assert both.mean() > 0.9
+        size = max(1.0, float(np.abs(known[both]).max()))
+        np.testing.assert_allclose(found[both], known[both], rtol=1e-9, atol=1e-13 * size)
+        assert len(stage.instructions) <= 1.05 * twin.function(other).n_instructions() + 5
 
 
 def test_products_of_factors() -> None:

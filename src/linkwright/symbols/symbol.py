@@ -49,11 +49,11 @@ class Symbol:
         """An elementary function by its NumPy name, of symbols and numbers."""
         if name == "where":
             return choice(*args)
-        return applied(_OTHER_NAMES.get(name, name), *map(_operand, args))
+        return applied(_OTHER_NAMES.get(name, name), *map(as_symbol, args))
 
     def do(self, op: str, *others: Any) -> Symbol:
         """An operation whose first operand this is."""
-        return applied(op, self, *map(_operand, others))
+        return applied(op, self, *map(as_symbol, others))
 
     @property
     def name(self) -> str:
@@ -148,9 +148,6 @@ def as_symbol(value: Any) -> Symbol:
     if isinstance(value, _NUMBERS):
         return constant(float(value))
     raise TypeError(f"{type(value).__name__} is neither a symbol nor a number")
-
-
-_operand = as_symbol
 
 
 def _of_two(op: str, x: Any, y: Any) -> Any:
