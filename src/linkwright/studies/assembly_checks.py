@@ -172,17 +172,26 @@ def singular(run: Run, code: str = "motion.singular") -> list[Finding]:
 
     Poses through which the run is carried (``run.compiled.passages``) are none.
     """
-    findings = []
-    rows = change_rows(run.compiled.structure)
-    look_at(run, rows)
-    for group in run.compiled.structure.groups:
-        touches = {time for row in rows if row.group == group.label for time, _ in touching(run, row)}
-        times = sorted(time for time in touches if not _passed(run, group.label, time))
-        findings += [_singular(run, code, group.label, time, 0.0) for time in times]
+    findings = [_singular(run, code, group, time, 0.0) for group, time in _meetings(run)]
     worst = None if findings else nearest(run)
     if worst is not None and not worst.determinant > SINGULAR:
         findings.append(_singular(run, code, worst.group, worst.time, worst.determinant))
     return findings
+
+
+def singular_before(run: Run, code: str, end: float) -> list[Finding]:
+    """The same before a time at which a higher group can't be followed any further: past a change point the run may
+    have been in another mode, in which it isn't meant to be."""
+    return [_singular(run, code, group, time, 0.0) for group, time in _meetings(run) if time < end]
+
+
+def _meetings(run: Run) -> Iterator[tuple[str, float]]:
+    """The groups whose two modes meet, with the times, but those through which the run is carried."""
+    rows = change_rows(run.compiled.structure)
+    look_at(run, rows)
+    for group in run.compiled.structure.groups:
+        touches = {time for row in rows if row.group == group.label for time, _ in touching(run, row)}
+        yield from ((group.label, time) for time in sorted(touches) if not _passed(run, group.label, time))
 
 
 def singular_throughout(run: Run) -> list[Finding]:

@@ -17,6 +17,7 @@ from linkwright.studies.assembly_checks import (
     drive_value,
     near,
     singular,
+    singular_before,
     singular_throughout,
     strokes,
     travels,
@@ -78,6 +79,8 @@ class Cycle(Study):
             if kept:
                 return CycleOutcome(Result(run, with_redundant_joints(run, kept)))
         if gaps := unassembled(run):
+            ends = [gap.data["start"] for gap in gaps if gap.code == "motion.stuck"]
+            gaps = (singular_before(run, code, min(ends)) if ends else []) or gaps
             return CycleOutcome(Result(run, with_redundant_joints(run, gaps)))
         if poses := singular(run, code):
             return CycleOutcome(Result(run, with_redundant_joints(run, poses)))
