@@ -465,6 +465,21 @@ def test_a_singular_pose_of_what_remains_is_told_as_that(duration: str) -> None:
     assert job.exit_code == 1
 
 
+@pytest.mark.parametrize("start", [20, 30, 60])
+def test_a_third_crank_over_a_full_turn(start: int) -> None:
+    """Through both change points of the other two: all cranks have one angle."""
+    data = {**parallelogram(3), "studies": {"cycle": {"duration": "1.3 s", "samples": 40, "through": "keep"}}}
+    data["drives"]["motor"]["start"] = start
+    job = lw.run(Document.model_validate(data))
+    assert job.exit_code == 0
+    assert job.cycle is not None
+    result = job.cycle.result
+    x, y = (result[f"B3.{axis}"] for axis in "xy")
+    angle = np.radians(start) + 2 * np.pi * result.t
+    np.testing.assert_allclose(x, 0.18 + 0.04 * np.cos(angle), atol=1e-10)
+    np.testing.assert_allclose(y, 0.015 + 0.04 * np.sin(angle), atol=1e-10)
+
+
 OTHER_ERRORS = {
     "measure": ("{min: ram.force}", "{min: rom.force}"),
     "load": ("on: platform, at: C, force: [0, -1000]", "on: platfrom, at: C, force: [0, -1000]"),

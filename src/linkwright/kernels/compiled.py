@@ -77,8 +77,9 @@ class Compiled:
     def _supplied(self) -> None:
         """What follows the motion to give inputs of the program, at the start of it."""
         starts, size = self.assembly.starts, self.assembly.size()
+        bands = [passage.band for passage in self.passages.every]
         self.followers = [
-            Continuation(self.graph, c, starts[c], size, self.kernel) for c in self.structure.higher_groups
+            Continuation(self.graph, c, starts[c], size, self.kernel, bands) for c in self.structure.higher_groups
         ]
         self.supply = Supply(self.graph, self.tables, self.kernel, self.laws)
 

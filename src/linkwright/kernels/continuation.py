@@ -12,7 +12,7 @@ path ends, and the motion with it.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import field
 from functools import cached_property
 
@@ -150,9 +150,20 @@ class Continuation(Corrector):
     """Supplies the coordinates of one higher group, from inputs in which those of earlier higher groups stand
     already."""
 
-    def __init__(self, graph: Graph, higher_group: HigherGroup, start: list[float], size: float, kernel: str) -> None:
+    def __init__(
+        self,
+        graph: Graph,
+        higher_group: HigherGroup,
+        start: list[float],
+        size: float,
+        kernel: str,
+        bands: Sequence[Array] = (),
+    ) -> None:
+        """``bands`` are the times (s) between which the motion is carried through change points of other groups: poses
+        there have few digits, and nothing is asked of them."""
         super().__init__(graph, higher_group, size, kernel)
         self.start = np.array(start)
+        self.bands = [(float(low), float(high)) for low, high in bands]
         self.path = HigherGroupPath()
         self.correction = 0.0  # the most that Newton moved a foretold coordinate (rad, or over the size)
 
@@ -168,6 +179,8 @@ class Continuation(Corrector):
         found = self.newton(x, start, p)
         # Where a pose isn't certified, lay the path through it by steps that are; where that can't be, it ends.
         doubtful = np.isfinite(start[0]) & ~self.certified(x, start, found, self.slopes(x, found, p), p)
+        for low, high in self.bands:
+            doubtful &= (t <= low) | (t >= high)
         if doubtful.any():
             for time in np.unique(t[doubtful]).tolist():
                 self.lay_through(time, p, at)
@@ -215,7 +228,7 @@ class Continuation(Corrector):
         """Continue a path up to a time by certified steps, the first of a length, none shorter than ``least`` (s)."""
         while path.t[-1] < to and path.end is None:
             now, u, rate = path.t[-1], path.u[-1], path.rate[-1]
-            there = min(now + step, to)
+            there, across = self.next_stop(now, min(now + step, to))
             # Predictor: follow the tangent, that is the exact rates at the last pose.
             guess = u + (there - now) * rate
             x = at(np.array([there, (now + there) / 2]))
@@ -225,7 +238,12 @@ class Continuation(Corrector):
             # A large correction (or NaN, no solution), or a pose that isn't certified, could mean another assembly
             # mode: refuse the step and halve it. If that needs steps that are too short, the path ends here.
             ending = self.rates(x[:, :1], found, p) if moved < CLOSE else rate
-            if not moved < CLOSE or not self.joined(x, there - now, (u, rate), (found, ending), guess, p):
+            accepted = moved < CLOSE and (
+                self.arrived(x[:, :1], guess, found, p)
+                if across
+                else self.joined(x, there - now, (u, rate), (found, ending), guess, p)
+            )
+            if not accepted:
                 step = (there - now) / 2
                 if step < least:
                     path.end = now
@@ -234,6 +252,19 @@ class Continuation(Corrector):
             path.append(there, found, ending)
             self.correction = max(self.correction, float(moved))
             step = (there - now) * (1.5 if moved < CLOSE / 3 else 1.0)
+
+    def next_stop(self, now: float, there: float) -> tuple[float, bool]:
+        """Where a step that is to lead from one time to another ends, and whether it leads across a band: it stops
+        where one begins, and goes over it at once."""
+        for low, high in self.bands:
+            if now < high and there > low:
+                return (low, False) if now < low else (high, True)
+        return there, False
+
+    def arrived(self, x: Array, guess: Array, found: Array, p: Array) -> bool:
+        """Whether the pose at the end of a step is that which was foretold."""
+        pose = found[:, None]
+        return bool(self.certified(x, guess[:, None], pose, self.slopes(x, pose, p), p).all())
 
     def joined(
         self, x: Array, h: float, begin: tuple[Array, Array], end: tuple[Array, Array], guess: Array, p: Array
