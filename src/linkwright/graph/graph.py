@@ -25,7 +25,7 @@ from linkwright.model.signals import Signal
 from linkwright.notation import MAX_ORDER
 from linkwright.notation.jets import is_zero
 from linkwright.structure import HigherGroup, Structure
-from linkwright.symbols import ExpressionStage, Symbol, as_symbol, derivatives_along, without_collection
+from linkwright.symbols import ExpressionStage, Symbol, derivatives_along, symbols_of, without_collection
 
 
 @dataclass
@@ -164,7 +164,7 @@ class Graph:
         order = self.order([*named, *rated])
         view = self._view(max(order, 1) if rated and self.structure.higher_groups else order)
         rows = [view.row(one) for one in named]
-        values = [as_symbol(view.row(one)) for one in rated]
+        values = symbols_of(view.row(one) for one in rated)
         slopes = derivatives_along(values, self.flow(view)) if values else []
         rows += [part for i, value in enumerate(values) for part in (value, slopes[i])]
         block = ExpressionStage(view.x, view.p, rows)
@@ -203,7 +203,7 @@ class Graph:
         view = self._view(max(order, 1) if rates and self.structure.higher_groups else order)
         rows = [view.row(one) for one in named]
         if rates:
-            slopes = derivatives_along([as_symbol(row) for row in rows], self.flow(view))
+            slopes = derivatives_along(symbols_of(rows), self.flow(view))
             rows = [part for i, row in enumerate(rows) for part in (row, slopes[i])]
         block = ExpressionStage(view.x, view.p, rows)
         outputs = tuple(part for name in names for part in ((name, f"d({name})") if rates else (name,)))
@@ -219,7 +219,7 @@ class Graph:
         solved = (view.motion.higher_groups[c] for c in self.structure.higher_groups)
         flow += [rates[0] for higher_group in solved for rates in higher_group.rates]
         flow += self.actions.flow(view.given)
-        return {symbol: as_symbol(rate) for symbol, rate in zip(view.x, flow, strict=True)}
+        return dict(zip(view.x, symbols_of(flow), strict=True))
 
     @cached_property
     def size(self) -> float:

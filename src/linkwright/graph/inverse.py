@@ -27,7 +27,7 @@ from linkwright.graph.triads import TriadSystem, place_links
 from linkwright.model.mechanism import FRAME, Drive, Joint, Link, Mechanism
 from linkwright.notation import Body, Jet, Pair, Scalar
 from linkwright.structure import Group, HigherGroup, Structure, decompose
-from linkwright.symbols import ExpressionStage, Symbol, as_symbol, derivatives_along, jacobian
+from linkwright.symbols import ExpressionStage, Symbol, as_symbol, derivatives_along, jacobian, symbols_of
 
 TRIADS = 1
 """With more the poses would be too many to enclose."""
@@ -141,7 +141,7 @@ class Inverse:
                 systems.append(_hung(motion, step, poses[len(systems)]))
             else:
                 solve_step(motion, step, drives, lambda group, _: chosen.get(group, 1.0), _no_higher_groups)
-        rows = [as_symbol(row) for row in self._rows(motion)]
+        rows = symbols_of(self._rows(motion))
         return [*place, *signs, *(symbol for pose in poses for symbol in pose)], values, rows, systems
 
     def _rows(self, motion: Motion) -> Iterator[Scalar]:
@@ -173,7 +173,7 @@ class Inverse:
             row = 2 + len(self.groups) + 4 * k
             c, s, *at = (x[row + i] for i in range(4))
             polynomial = as_symbol(system.polynomial(c, s))
-            misses = [as_symbol(miss) for miss in system.misses(c, s, Pair(*at))]
+            misses = symbols_of(system.misses(c, s, Pair(*at)))
             by_turning = _by_turning([polynomial, *misses], c, s)
             slopes = [[turned, *of_row] for turned, of_row in zip(by_turning[1:], jacobian(misses, at), strict=True)]
             rows: dict[str, Sequence[Scalar]] = {

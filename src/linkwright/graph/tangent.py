@@ -13,7 +13,15 @@ from typing import TYPE_CHECKING
 
 from linkwright.graph.program import Program
 from linkwright.graph.view import View
-from linkwright.symbols import ExpressionStage, Symbol, as_symbol, derivatives_along, substituted, without_collection
+from linkwright.symbols import (
+    ExpressionStage,
+    Symbol,
+    as_symbol,
+    derivatives_along,
+    substituted,
+    symbols_of,
+    without_collection,
+)
 from linkwright.symbols import jacobian as slopes_of
 
 if TYPE_CHECKING:
@@ -31,7 +39,7 @@ def tangent(graph: Graph, named: Sequence[Named], rates: bool = False, plays: Se
     """
     order, names = graph.order(named), graph.labels(named)
     view = View.build(graph, max(order, 1) if rates else order, graph.inputs, plays)
-    rows = [as_symbol(view.row(one)) for one in named]
+    rows = symbols_of(view.row(one) for one in named)
     if rates:
         rows += derivatives_along(rows, graph.flow(view))
     directions = Symbol.several("direction", len(graph.parameters) + len(plays))
@@ -47,7 +55,7 @@ def tangent(graph: Graph, named: Sequence[Named], rates: bool = False, plays: Se
     direction = dict(zip(free, [*changes, *directions], strict=True))
     for higher_group in graph.structure.higher_groups:
         solved = view.motion.higher_groups[higher_group]
-        missed = derivatives_along([as_symbol(gap) for gap in solved.gaps], direction)
+        missed = derivatives_along(symbols_of(solved.gaps), direction)
         for row, rate in zip(graph.coordinates(higher_group), solved.factor.solve(missed), strict=True):
             direction[view.x[row]] = as_symbol(-rate)
     both = _without_plays([*rows, *derivatives_along(rows, direction)], view)
@@ -74,9 +82,9 @@ def jacobian(
     view = View.build(graph, graph.order((*named, *others)), graph.inputs, plays)
     free = [*view.x, *view.p, *view.plays]
     symbols = dict(zip((*graph.inputs, *graph.parameters, *plays), free, strict=True))
-    rows = [as_symbol(view.row(one)) for one in named]
+    rows = symbols_of(view.row(one) for one in named)
     slopes = slopes_of(rows, [symbols[name] for name in by])
-    every = [*rows, *(slope for of_row in slopes for slope in of_row), *(as_symbol(view.row(one)) for one in others)]
+    every = [*rows, *(slope for of_row in slopes for slope in of_row), *symbols_of(view.row(one) for one in others)]
     block = ExpressionStage(view.x, view.p, _without_plays(every, view))
     names, rest = graph.labels(named), graph.labels(others)
     outputs = (*names, *(f"d({name})/d({other})" for name in names for other in by), *rest)

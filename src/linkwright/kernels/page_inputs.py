@@ -31,7 +31,7 @@ from linkwright.model.conditions import Condition, Values, varying_conditions
 from linkwright.model.quantities import LARGEST, Quantities
 from linkwright.model.sampled import dependent, names_in
 from linkwright.model.walk import QuantityPlace
-from linkwright.notation.jets import symbolic
+from linkwright.notation.jets import varies
 from linkwright.symbols import ExpressionStage, Symbol, as_symbol, choice, derivatives_along, ordered
 
 Length = Callable[[Values], tuple[Any, Condition]]
@@ -190,7 +190,7 @@ def number_conditions(
         except (KeyError, ExpressionError):  # it varies with the motion, and is looked at there
             raise DimensionError("expression.not-constant", name="") from None
 
-    found = varying_conditions(compiled.quantities, value, _varies)
+    found = varying_conditions(compiled.quantities, value, varies)
     lasting = [] if length is None else [length(geometry.number)[1]]
     return [*found, *_law_conditions(compiled, given), *lasting]
 
@@ -206,7 +206,7 @@ def _law_conditions(compiled: Compiled, parameters: Mapping[str, Any]) -> Iterat
                 yield Condition(choice(wrong, -1.0, 1.0), Sign.NOT_NEGATIVE, finding)
     for name, table in compiled.mechanism.tables.items():
         margin = closing_margin(quantities, table, parameters)
-        if margin is not None and _varies(margin):
+        if margin is not None and varies(margin):
             yield Condition(margin, Sign.NOT_NEGATIVE, Finding("table.not-closed", ("tables", name), {}))
 
 
@@ -225,11 +225,6 @@ def _parameters(compiled: Compiled, fixed: Container[str]) -> tuple[list[Symbol]
     symbols = [Symbol.named(name) for name in names]
     given = {name: nominal[name] if name in fixed else symbol for name, symbol in zip(names, symbols, strict=True)}
     return symbols, given
-
-
-def _varies(margin: Any) -> bool:
-    """Whether a margin depends on symbols."""
-    return symbolic(margin) and not margin.is_constant()
 
 
 def _program(compiled: Compiled, x: list[Symbol], p: list[Symbol], rows: list[Any], inputs: tuple[str, ...]) -> Program:

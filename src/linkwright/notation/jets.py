@@ -36,6 +36,11 @@ def symbolic(value: Scalar) -> bool:
     return isinstance(value, Symbol)
 
 
+def varies(value: Scalar) -> bool:
+    """Whether a value depends on free symbols."""
+    return isinstance(value, Symbol) and not value.is_constant()
+
+
 def call(name: str, *args: Scalar) -> Scalar:
     """Apply an elementary function by its NumPy name to numbers, arrays, duals or symbols."""
     for arg in args:

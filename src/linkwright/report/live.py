@@ -33,7 +33,7 @@ from linkwright.model.live_numbers import LiveNumber as WrittenLiveNumber
 from linkwright.model.live_numbers import live_numbers
 from linkwright.model.named_numbers import NamedNumbers, named_numbers
 from linkwright.model.yaml_text import Source
-from linkwright.notation.jets import symbolic
+from linkwright.notation.jets import varies
 from linkwright.presentation.json_numbers import known
 from linkwright.report.arrows import Arrow, arrow_rows
 from linkwright.report.data import LiveData, LiveEntry, LiveNumber, Plot, SaidBy, Scene
@@ -175,7 +175,7 @@ def _length(document: Document, compiled: Compiled) -> Length | None:
     options = CycleOptions.model_validate(document.studies["cycle"], context=document.studies)
     length = partial(length_condition, compiled, options)
     margin = number_conditions(compiled, length=length)[-1].margin
-    return length if symbolic(margin) and not margin.is_constant() else None
+    return length if varies(margin) else None
 
 
 def _said_by(compiled: Compiled) -> SaidBy | None:

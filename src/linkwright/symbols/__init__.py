@@ -7,7 +7,7 @@ from linkwright.symbols.graph import depend_on, ordered, substituted
 from linkwright.symbols.instructions import INPUT, OUTPUT, ExpressionStage, Instruction
 from linkwright.symbols.operations import OPERATIONS, Operation
 from linkwright.symbols.orthogonal import OrthogonalFactors
-from linkwright.symbols.symbol import CONSTANT, Symbol, as_symbol, choice
+from linkwright.symbols.symbol import CONSTANT, Symbol, as_symbol, choice, symbols_of
 
 __all__ = [
     "CONSTANT",
@@ -26,5 +26,6 @@ __all__ = [
     "jacobian",
     "ordered",
     "substituted",
+    "symbols_of",
     "without_collection",
 ]

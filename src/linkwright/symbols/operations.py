@@ -120,8 +120,8 @@ _TABLE: tuple[tuple[str, Callable[..., float], tuple[Slope, ...]], ...] = (
     ("sign", _sign, (None,)),
     ("copysign", math.copysign, (lambda x, y, f: x.do("sign") * f.do("sign"), None)),
     ("floor", _ieee(lambda x: float(math.floor(x)), np.floor), (None,)),
-    ("fmin", _lesser, (_share_of_lesser, lambda x, y, f: _share_of_lesser(y, x, f))),
-    ("fmax", _greater, (_share_of_greater, lambda x, y, f: _share_of_greater(y, x, f))),
+    ("fmin", _lesser, (_share_of_lesser, _share_of_greater)),
+    ("fmax", _greater, (_share_of_greater, _share_of_lesser)),
     # Conditions, which are 1 or 0, and the choice by one: the value where it holds, 0 elsewhere.
     ("less", _flag(lambda x, y: x < y), (None, None)),
     ("less_equal", _flag(lambda x, y: x <= y), (None, None)),
